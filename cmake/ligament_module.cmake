@@ -1,0 +1,28 @@
+# A module is one folder and one static library. It sees core and what is named here, never another module.
+function(ligament_module name)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  add_library(ligament_${name} STATIC ${sources})
+  target_include_directories(ligament_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(ligament_${name} PUBLIC ligament_options ${ARGN})
+endfunction()
+
+# A test program: the doctest cases of one folder, each registered with ctest. The doctest suite of a case becomes its
+# ctest label: those of the suite "slow" are left out of short forms.
+function(ligament_test folder)
+  string(REPLACE "/" "_" name ${folder})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  add_executable(test_${name} ${sources})
+  target_include_directories(test_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(test_${name} PRIVATE ligament_doctest_main ${ARGN})
+  target_compile_definitions(test_${name} PRIVATE
+    LIGAMENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIGAMENT_TEST_SCRATCH="${CMAKE_BINARY_DIR}/scratch")
+  # Compiling tests takes longer than running them.
+  if(LIGAMENT_SANITIZE)
+    target_compile_options(test_${name} PRIVATE -O0)
+  elseif(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_options(test_${name} PRIVATE -O1)
+  endif()
+  # A name that selects no test case would pass unnoticed.
+  doctest_discover_tests(test_${name} TEST_PREFIX "${name}: " ADD_LABELS 1
+    PROPERTIES FAIL_REGULAR_EXPRESSION "test cases: +0 " TIMEOUT 600)
+endfunction()

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model.hpp"
+#include "core/state.hpp"
+#include "core/stiffness_bounds.hpp"
+
+namespace ligament {
+
+/// Whatever has a line in the energy ledger.
+class EnergySource {
+ public:
+  virtual ~EnergySource() = default;
+
+  /// Its lines at time n, always the same ones in the same order.
+  [[nodiscard]] virtual std::vector<EnergyTerm> energies(const Model& model, const State& state) const = 0;
+
+  /// Books what is a sum over the path rather than a function of the state; velocities on both sides of n are known.
+  virtual void book_work(const Model& /*model*/, State& /*state*/) {}
+};
+
+/// Magnitudes of internal forces, to measure unbalanced forces against.
+struct ForceMagnitudes {
+  double sum = 0.0;    ///< (N)
+  double count = 0.0;  ///< of forces that are not zero
+
+  ForceMagnitudes& operator+=(const ForceMagnitudes& b) {
+    sum += b.sum;
+    count += b.count;
+    return *this;
+  }
+};
+
+/// Adds forces and moments to the bodies: contacts, elements, loads, gravity.
+class ForceProvider : public EnergySource {
+ public:
+  /// Adds the forces of time n, Eqs (3)-(28), to State::…::force; history moves from n-1 to n.
+  virtual void add_forces(const Model& model, State& state) = 0;
+
+  /// Adds its rows to the Gershgorin bound; forces without stiffness add nothing.
+  virtual void add_stiffness(const Model& /*model*/, const State& /*state*/, StiffnessBounds& /*bounds*/) const {}
+
+  /// The forces that say how large an unbalanced force is: those of contacts; those of elements where there are no
+  /// particles.
+  [[nodiscard]] virtual ForceMagnitudes internal_forces(const Model& /*model*/, const State& /*state*/) const {
+    return {};
+  }
+};
+
+}  // namespace ligament

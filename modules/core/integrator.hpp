@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/force_provider.hpp"
+
+namespace ligament {
+
+/// The law of motion, Eqs (1)-(2).
+class Integrator : public EnergySource {
+ public:
+  /// x(n) = x(n-1) + v(n-½) Δt.
+  virtual void update_positions(const Model& model, State& state) const = 0;
+
+  /// v(n+½) from the forces of time n, for every freedom that is not prescribed.
+  virtual void update_velocities(const Model& model, State& state) = 0;
+};
+
+/// Damping of a step: viscous c (1/s), force -c m v; local α, force -α |F| sign(v).
+struct DampingCoefficients {
+  double viscous = 0.0;
+  double local = 0.0;
+};
+
+/// Chooses the damping of each step.
+class Damping {
+ public:
+  virtual ~Damping() = default;
+  virtual void declare(class Parameters& parameters) = 0;
+  virtual DampingCoefficients coefficients(const Model& model, State& state) = 0;
+};
+
+/// Prescribes motion where the integrator left it free: v(n+½) of the freedoms it owns.
+class Constraint : public EnergySource {
+ public:
+  virtual void apply(const Model& model, State& state) = 0;
+};
+
+/// Sees every step boundary, changes nothing.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void observe(const Model& model, const State& state) = 0;
+};
+
+}  // namespace ligament

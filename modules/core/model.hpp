@@ -1,0 +1,119 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "core/constitutive_law.hpp"
+#include "core/vector.hpp"
+
+/// What does not change during a run: geometry at rest, connectivity, properties. Everything that changes is in State.
+namespace ligament {
+
+/// Rigid discs, numbered in spatial order; `id` is the permanent number used in output and messages.
+struct ParticleData {
+  Field<Vector> position;         ///< centre at rest (m)
+  Field<double> radius;           ///< R (m)
+  Field<double> real_mass;        ///< its share of ρ · area · t of the zone (kg)
+  Field<Index> material;          ///< row of Model::materials
+  Field<Index> zone;              ///< row of Model::zones
+  Field<Index> id;                ///< counted from 1
+  Field<Vector> free;             ///< 1 where the centre is free to move along an axis, 0 where its motion is prescribed
+  Field<double> rotation_free;    ///< likewise for the rotation
+
+  [[nodiscard]] std::size_t size() const { return radius.size(); }
+};
+
+/// Nodes of finite elements: translations only.
+struct NodeData {
+  Field<Vector> position;   ///< at rest (m)
+  Field<double> real_mass;  ///< lumped by row sums (kg)
+  Field<Index> id;          ///< number in the full grid, counted from 1
+  Field<Vector> free;       ///< see ParticleData::free
+
+  [[nodiscard]] std::size_t size() const { return position.size(); }
+};
+
+/// K of one element, dofs (node 0: x, y; node 1: x, y; …), row by row (N/m).
+using ElementStiffness = std::array<double, 64>;
+
+/// 4-node quadrilaterals, nodes counter-clockwise.
+struct ElementData {
+  Field<std::array<Index, 4>> nodes;
+  Field<ElementStiffness> stiffness;
+  Field<Index> material;
+  Field<Index> id;  ///< number in the full grid, counted from 1
+
+  [[nodiscard]] std::size_t size() const { return nodes.size(); }
+};
+
+/// Boundary pieces of the elements (edges i→j, the element on their left), found by the mesh itself.
+struct FacetData {
+  Field<std::array<Index, 2>> nodes;
+  Field<Index> element;
+
+  [[nodiscard]] std::size_t size() const { return nodes.size(); }
+};
+
+/// A contact law bound to the material whose contacts it serves.
+struct LawBinding {
+  std::string name;  ///< "<material>.bond" or "<material>.contact"
+  std::shared_ptr<const ConstitutiveLaw> law;
+  std::size_t n_history = 0;  ///< number of its history variables
+};
+
+/// How the stiffness of a contact follows from the elastic constants of the continuum.
+enum class StiffnessFormula { plane, hexagonal };
+
+/// Which length enters Eq. (33).
+enum class ContactLength { centre_distance, radius_sum };
+
+enum class PlaneState { stress, strain };
+
+/// Elastic constants and the contact laws of a named material.
+struct Material {
+  std::string name;
+  double young_modulus = 0.0;  ///< E (Pa)
+  double poisson_ratio = 0.0;  ///< ν
+  double density = 0.0;        ///< ρ (kg/m3); 0 where the case gives none
+  StiffnessFormula stiffness = StiffnessFormula::plane;
+  ContactLength contact_length = ContactLength::centre_distance;
+  Index bond_law = -1;     ///< row of Model::laws for pairs bonded at set-up
+  Index contact_law = -1;  ///< row of Model::laws for all other pairs
+};
+
+/// A region filled with particles.
+struct Zone {
+  std::string name;
+  Index interface_material = 0;    ///< material of the contacts between its particles and element facets
+  double detection_gap = 0.0;      ///< particles closer than this times the sum of their radii are bonded at set-up
+  double interface_gap = 0.0;      ///< particles closer to a facet than this times their radius are bonded to it
+};
+
+/// Two bodies that touched, or were bonded, at set-up, first < second in their own tables.
+struct SetupPair {
+  Index first = 0;
+  Index second = 0;
+  friend auto operator<=>(const SetupPair&, const SetupPair&) = default;
+};
+
+struct Model {
+  double thickness = 1.0;  ///< t (m)
+  PlaneState plane = PlaneState::stress;
+  std::vector<Material> materials;
+  std::vector<Zone> zones;
+  std::vector<LawBinding> laws;
+
+  ParticleData particles;
+  NodeData nodes;
+  ElementData elements;
+  FacetData facets;
+
+  /// Sorted. These pairs keep their distance at set-up as reference for ever, so that a cut or broken bond that closes
+  /// again finds no overlap it never had.
+  std::vector<SetupPair> particle_pairs;
+  std::vector<SetupPair> facet_pairs;
+  std::vector<SetupPair> corner_pairs;
+};
+
+}  // namespace ligament

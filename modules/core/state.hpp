@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/constitutive_law.hpp"
+#include "core/energy_ledger.hpp"
+#include "core/vector.hpp"
+
+/// Everything that changes during a run, as plain data. All of it belongs to one time n: positions and forces at n,
+/// velocities on both sides of it.
+namespace ligament {
+
+/// Steps decide schedules; time is derived. Under mass scaling time is a pseudo-time.
+struct Clock {
+  std::int64_t step = 0;
+  double time = 0.0;              ///< t(n) (s)
+  double time_step = 1.0;         ///< Δt from n to n+1 (s)
+  double time_step_before = 1.0;  ///< Δt from n-1 to n (s)
+
+  /// Goes from n to n+1.
+  void advance() {
+    ++step;
+    time += time_step;
+    time_step_before = time_step;
+  }
+  /// The time over which the acceleration of n acts: from n-½ to n+½ (s).
+  [[nodiscard]] double acceleration_time() const { return 0.5 * (time_step_before + time_step); }
+};
+
+/// Translation of a table of bodies (particles or nodes).
+struct TranslationState {
+  Field<Vector> displacement;     ///< u(n) from the position at rest (m)
+  Field<Vector> increment;        ///< u(n) less its value when contacts last stored their state (m)
+  Field<Vector> velocity_before;  ///< v(n-½) (m/s)
+  Field<Vector> velocity;         ///< v(n+½) (m/s)
+  Field<Vector> force;            ///< resultant at n without damping and reactions (N)
+  Field<double> mass;             ///< real or scaled (kg)
+};
+
+/// Rotation of a table of bodies.
+struct RotationState {
+  Field<Rotation> rotation;   ///< θ(n) (rad)
+  Field<Rotation> increment;  ///< see TranslationState::increment (rad)
+  Field<Spin> spin_before;    ///< ω(n-½) (rad/s)
+  Field<Spin> spin;           ///< ω(n+½) (rad/s)
+  Field<Moment> moment;       ///< at n (N m)
+  Field<double> inertia;      ///< real or scaled (kg m2)
+};
+
+struct ParticleState {
+  TranslationState translation;
+  RotationState rotation;
+};
+
+struct NodeState {
+  TranslationState translation;
+};
+
+/// One array of history for the contacts of one law, in their order.
+struct HistoryColumn {
+  std::string name;  ///< "<law>.<variable>"
+  double initial_value = 0.0;
+  Field<double> values;
+};
+
+/// Contacts of one kind, sorted by (law, first, second): the contacts of a law are one contiguous range.
+/// `first` is a particle; `second` a particle, a facet or a node.
+struct ContactTable {
+  Field<Index> law;     ///< row of Model::laws
+  Field<Index> first;   ///< A, "U1"
+  Field<Index> second;  ///< B, "U2"
+  // Constant while the contact lives.
+  Field<double> rest_distance;     ///< distance of the bodies at rest (m)
+  Field<double> initial_gap;       ///< rest distance less the reference distance d_ref (m); 0 for pairs of set-up
+  Field<double> normal_stiffness;  ///< k_n (N/m)
+  Field<double> shear_stiffness;   ///< k_s (N/m)
+  Field<double> area;              ///< A = H t (m2)
+  // What the contact remembers.
+  Field<double> opening;                 ///< u_n (m)
+  Field<ShearVector> shear_displacement; ///< Σ Δu_s (m)
+  Field<double> normal_force;            ///< F_n (N), > 0 in compression
+  Field<ShearVector> shear_force;        ///< F_s (N)
+  Field<BondState> bond;
+  /// First row of each law's range; one entry more than laws.
+  Field<Index> law_begin;
+  /// History arrays of all laws, law by law; a column has as many rows as its law has contacts.
+  std::vector<HistoryColumn> history;
+
+  [[nodiscard]] std::size_t size() const { return first.size(); }
+};
+
+/// What the search must remember between its updates.
+struct SearchState {
+  Field<Vector> particle_displacement;  ///< at the last update (m)
+  Field<Vector> node_displacement;
+  std::int64_t n_updates = 0;
+};
+
+/// What adaptive damping remembers: the internal forces of the step before.
+struct RelaxationState {
+  double damping = 0.0;  ///< c of the step (1/s)
+  Field<Vector> particle_force;
+  Field<Moment> particle_moment;
+  Field<Vector> node_force;
+};
+
+struct State {
+  Clock clock;
+  ParticleState particles;
+  NodeState nodes;
+  ContactTable particle_contacts;
+  ContactTable facet_contacts;
+  ContactTable corner_contacts;
+  SearchState search;
+  RelaxationState relaxation;
+  EnergyLedger ledger;
+};
+
+}  // namespace ligament

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/force_provider.hpp"
+
+namespace ligament {
+
+/// Internal forces f = -K u of the elements.
+class ElementForces : public ForceProvider {
+ public:
+  void add_forces(const Model& model, State& state) override;
+  void add_stiffness(const Model& model, const State& state, StiffnessBounds& bounds) const override;
+  [[nodiscard]] ForceMagnitudes internal_forces(const Model& model, const State& state) const override;
+  [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
+};
+
+}  // namespace ligament

@@ -1,0 +1,24 @@
+#include "constitutive/register_laws.hpp"
+
+#include "constitutive/batch_law.hpp"
+#include "constitutive/frictional.hpp"
+#include "constitutive/linear_elastic.hpp"
+
+namespace ligament {
+namespace {
+
+template <PointLaw Law>
+void add(Registry<ConstitutiveLaw>& laws, const char* name, const char* description) {
+  laws.add(name, description, [] { return std::make_unique<BatchLaw<Law>>(); });
+}
+
+}  // namespace
+
+Registry<ConstitutiveLaw> contact_laws() {
+  Registry<ConstitutiveLaw> laws("law");
+  add<LinearElastic>(laws, "linear_elastic", "elastic bond that never breaks");
+  add<Frictional>(laws, "frictional", "no tension, Coulomb friction");
+  return laws;
+}
+
+}  // namespace ligament

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "core/block_sum.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+
+namespace ligament {
+
+/// Rows [begin, end) of a contact table that one law serves.
+struct LawBlock {
+  const ConstitutiveLaw* law = nullptr;
+  Index law_row = 0;
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+/// Cuts the range of every law into blocks; where they begin depends on the table alone.
+template <class Visit>
+void visit_law_blocks(const Model& model, const ContactTable& contacts, Visit&& visit) {
+  for (std::size_t law = 0; law < model.laws.size(); ++law) {
+    const auto range_end = static_cast<std::size_t>(contacts.law_begin[law + 1]);
+    for (auto begin = static_cast<std::size_t>(contacts.law_begin[law]); begin < range_end; begin += block_size) {
+      visit(
+          LawBlock{model.laws[law].law.get(), static_cast<Index>(law), begin, std::min(begin + block_size, range_end)});
+    }
+  }
+}
+
+/// Where the history columns of each law begin in ContactTable::history; one entry more than laws.
+std::vector<std::size_t> history_begin(const Model& model);
+
+/// Empty columns for every history variable of every law.
+std::vector<HistoryColumn> make_history(const Model& model);
+
+/// The history arrays of a law, each from the given row of the table on.
+template <class Table>
+auto history_pointers(const Model& model, Table& contacts, Index law, std::size_t row) {
+  using Pointer = std::conditional_t<std::is_const_v<Table>, const double*, double*>;
+  const auto begin = history_begin(model);
+  std::vector<Pointer> pointers;
+  for (std::size_t column = begin[law]; column < begin[law + 1]; ++column) {
+    pointers.push_back(contacts.history[column].values.data() + (row - contacts.law_begin[law]));
+  }
+  return pointers;
+}
+
+/// Energies of the contacts in a block, from their state.
+ContactEnergies block_energies(const Model& model, const ContactTable& contacts, const LawBlock& block);
+
+/// Energies of all contacts of a table.
+ContactEnergies table_energies(const Model& model, const ContactTable& contacts);
+
+}  // namespace ligament

@@ -1,0 +1,143 @@
+#pragma once
+
+#include "contact/contact_bound.hpp"
+#include "contact/kinematics.hpp"
+#include "core/model.hpp"
+#include "core/state.hpp"
+#include "core/stiffness_bounds.hpp"
+
+/// The three kinds of contact. Each says where its table is, how its bodies move against each other, how a contact
+/// force reaches them, Eqs (25)-(28), and what stiffness they feel. ContactForces makes the rest.
+namespace ligament {
+
+/// F_C = F_n n + F_s t on the second body, Eq. (24).
+struct ContactPointForce {
+  Vector force;             ///< F_C (N)
+  ShearVector shear = 0.0;  ///< F_s (N)
+};
+
+inline ContactReference reference_of(const ContactTable& contacts, std::size_t row) {
+  return {contacts.rest_distance[row], contacts.initial_gap[row], contacts.opening[row]};
+}
+
+/// Takes the force off the first body, always a particle.
+inline void apply_to_first(ParticleState& particles, Index particle, const ContactGeometry& geometry,
+                           const ContactPointForce& contact) {
+  particles.translation.force[particle] -= contact.force;
+  particles.rotation.moment[particle] -= geometry.arm_first * contact.shear;
+}
+
+struct ParticlePairing {
+  static constexpr const char* name = "contacts";
+  static auto& table(auto& state) { return state.particle_contacts; }
+
+  static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
+    const ContactTable& contacts = state.particle_contacts;
+    const Index a = contacts.first[row];
+    const Index b = contacts.second[row];
+    const TranslationState& translation = state.particles.translation;
+    const RotationState& rotation = state.particles.rotation;
+    const PointPairMotion pair{model.particles.position[b] - model.particles.position[a],
+                               translation.displacement[b] - translation.displacement[a],
+                               translation.increment[b] - translation.increment[a]};
+    return particle_pair_motion(pair, reference_of(contacts, row), rotation.increment[a], rotation.increment[b],
+                                model.particles.radius[a] - model.particles.radius[b]);
+  }
+
+  static void apply(const Model& /*model*/, State& state, std::size_t row, const ContactGeometry& geometry,
+                    const ContactPointForce& contact) {
+    apply_to_first(state.particles, state.particle_contacts.first[row], geometry, contact);
+    const Index b = state.particle_contacts.second[row];
+    state.particles.translation.force[b] += contact.force;
+    state.particles.rotation.moment[b] -= geometry.arm_second * contact.shear;
+  }
+
+  static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
+                            StiffnessBounds& bounds) {
+    const ContactTable& contacts = state.particle_contacts;
+    const Index a = contacts.first[row];
+    const Index b = contacts.second[row];
+    const ContactBound bound =
+        contact_bound(contacts.normal_stiffness[row], contacts.shear_stiffness[row],
+                      geometry.arm_first / model.particles.radius[a], geometry.arm_second / model.particles.radius[b]);
+    bounds.particle_translation[a] += bound.translation;
+    bounds.particle_translation[b] += bound.translation;
+    bounds.particle_rotation[a] += bound.rotation_first;
+    bounds.particle_rotation[b] += bound.rotation_second;
+  }
+};
+
+struct FacetPairing {
+  static constexpr const char* name = "interface";
+  static auto& table(auto& state) { return state.facet_contacts; }
+
+  static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
+    const ContactTable& contacts = state.facet_contacts;
+    const Index a = contacts.first[row];
+    const auto& [i, j] = model.facets.nodes[contacts.second[row]];
+    const TranslationState& nodes = state.nodes.translation;
+    const TranslationState& particles = state.particles.translation;
+    const FacetMotion facet{
+        model.nodes.position[j] - model.nodes.position[i], nodes.displacement[j] - nodes.displacement[i],
+        nodes.increment[j] - nodes.increment[i],           model.particles.position[a] - model.nodes.position[i],
+        particles.displacement[a] - nodes.displacement[i], particles.increment[a] - nodes.increment[i]};
+    return facet_motion(facet, reference_of(contacts, row), state.particles.rotation.increment[a]);
+  }
+
+  static void apply(const Model& model, State& state, std::size_t row, const ContactGeometry& geometry,
+                    const ContactPointForce& contact) {
+    apply_to_first(state.particles, state.facet_contacts.first[row], geometry, contact);
+    const auto& [i, j] = model.facets.nodes[state.facet_contacts.second[row]];
+    state.nodes.translation.force[i] += (1.0 - geometry.share) * contact.force;
+    state.nodes.translation.force[j] += geometry.share * contact.force;
+  }
+
+  static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
+                            StiffnessBounds& bounds) {
+    const ContactTable& contacts = state.facet_contacts;
+    const Index a = contacts.first[row];
+    const auto& [i, j] = model.facets.nodes[contacts.second[row]];
+    const ContactBound bound = contact_bound(contacts.normal_stiffness[row], contacts.shear_stiffness[row],
+                                             geometry.arm_first / model.particles.radius[a], 0.0);
+    bounds.particle_translation[a] += bound.translation;
+    bounds.particle_rotation[a] += bound.rotation_first;
+    bounds.node_translation[i] += std::abs(1.0 - geometry.share) * bound.translation;
+    bounds.node_translation[j] += std::abs(geometry.share) * bound.translation;
+  }
+};
+
+struct CornerPairing {
+  static constexpr const char* name = "interface";
+  static auto& table(auto& state) { return state.corner_contacts; }
+
+  static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
+    const ContactTable& contacts = state.corner_contacts;
+    const Index a = contacts.first[row];
+    const Index node = contacts.second[row];
+    const TranslationState& nodes = state.nodes.translation;
+    const TranslationState& particles = state.particles.translation;
+    const PointPairMotion pair{model.nodes.position[node] - model.particles.position[a],
+                               nodes.displacement[node] - particles.displacement[a],
+                               nodes.increment[node] - particles.increment[a]};
+    return corner_motion(pair, reference_of(contacts, row), state.particles.rotation.increment[a]);
+  }
+
+  static void apply(const Model& /*model*/, State& state, std::size_t row, const ContactGeometry& geometry,
+                    const ContactPointForce& contact) {
+    apply_to_first(state.particles, state.corner_contacts.first[row], geometry, contact);
+    state.nodes.translation.force[state.corner_contacts.second[row]] += contact.force;
+  }
+
+  static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
+                            StiffnessBounds& bounds) {
+    const ContactTable& contacts = state.corner_contacts;
+    const Index a = contacts.first[row];
+    const ContactBound bound = contact_bound(contacts.normal_stiffness[row], contacts.shear_stiffness[row],
+                                             geometry.arm_first / model.particles.radius[a], 0.0);
+    bounds.particle_translation[a] += bound.translation;
+    bounds.particle_rotation[a] += bound.rotation_first;
+    bounds.node_translation[contacts.second[row]] += bound.translation;
+  }
+};
+
+}  // namespace ligament

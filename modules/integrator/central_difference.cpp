@@ -1,0 +1,153 @@
+#include "integrator/central_difference.hpp"
+
+#include "core/block_sum.hpp"
+
+namespace ligament {
+namespace {
+
+constexpr const char* damping_line = "damping";
+constexpr const char* step_change_line = "step_change";
+
+void move_translations(TranslationState& bodies, double time_step) {
+  for (std::size_t i = 0; i < bodies.displacement.size(); ++i) {
+    bodies.increment[i] = time_step * bodies.velocity[i];
+    bodies.displacement[i] += bodies.increment[i];
+  }
+}
+
+void move_rotations(RotationState& bodies, double time_step) {
+  for (std::size_t i = 0; i < bodies.rotation.size(); ++i) {
+    bodies.increment[i] = time_step * bodies.spin[i];
+    bodies.rotation[i] += bodies.increment[i];
+  }
+}
+
+void accelerate_translations(TranslationState& bodies, const Field<Vector>& free, const DampingCoefficients& damping,
+                             double time) {
+  // Viscous damping acts on the mean of v(n-½) and v(n+½).
+  const double factor = time / (1.0 + 0.5 * damping.viscous * time);
+  for (std::size_t i = 0; i < bodies.velocity.size(); ++i) {
+    const Vector& before = bodies.velocity[i];
+    const Vector drag = damping.local * signed_like(bodies.force[i], before);
+    const Vector acceleration = (bodies.force[i] - drag) / bodies.mass[i] - damping.viscous * before;
+    bodies.velocity_before[i] = before;
+    bodies.velocity[i] += factor * componentwise(free[i], acceleration);
+  }
+}
+
+void accelerate_rotations(RotationState& bodies, const Field<double>& free, const DampingCoefficients& damping,
+                          double time) {
+  const double factor = time / (1.0 + 0.5 * damping.viscous * time);
+  for (std::size_t i = 0; i < bodies.spin.size(); ++i) {
+    const Spin before = bodies.spin[i];
+    const double sign = before > 0.0 ? 1.0 : (before < 0.0 ? -1.0 : 0.0);
+    const Moment drag = damping.local * sign * (bodies.moment[i] < 0.0 ? -bodies.moment[i] : bodies.moment[i]);
+    bodies.spin_before[i] = before;
+    bodies.spin[i] += factor * free[i] * ((bodies.moment[i] - drag) / bodies.inertia[i] - damping.viscous * before);
+  }
+}
+
+/// The two halves of the work of a force in a step; see PathSum.
+struct HalfWorks {
+  double behind = 0.0;
+  double ahead = 0.0;
+  HalfWorks& operator+=(const HalfWorks& b) {
+    behind += b.behind;
+    ahead += b.ahead;
+    return *this;
+  }
+};
+
+/// Work of what the motion shows beyond the forces on free bodies: that of damping.
+HalfWorks damping_work(const TranslationState& bodies, const Field<Vector>& free, const Clock& clock) {
+  return block_sum(bodies.velocity.size(), [&](std::size_t i) {
+    const Vector change = bodies.velocity[i] - bodies.velocity_before[i];
+    const Vector damping =
+        componentwise(free[i], (bodies.mass[i] / clock.acceleration_time()) * change - bodies.force[i]);
+    return HalfWorks{0.5 * dot(damping, bodies.increment[i]),
+                     0.5 * clock.time_step * dot(damping, bodies.velocity[i])};
+  });
+}
+
+HalfWorks damping_work(const RotationState& bodies, const Field<double>& free, const Clock& clock) {
+  return block_sum(bodies.spin.size(), [&](std::size_t i) {
+    const Spin change = bodies.spin[i] - bodies.spin_before[i];
+    const Moment damping = free[i] * (bodies.inertia[i] / clock.acceleration_time() * change - bodies.moment[i]);
+    return HalfWorks{0.5 * damping * bodies.increment[i], 0.5 * clock.time_step * damping * bodies.spin[i]};
+  });
+}
+
+/// When Δt changes at n, the resultant acts for (Δt_old + Δt_new)/2 but its work is booked over Δt_old behind and Δt_new
+/// ahead; what is missing goes to a line of its own.
+HalfWorks step_change_work(const TranslationState& bodies, const Clock& clock) {
+  const double change = 0.5 * (clock.time_step - clock.time_step_before) / clock.acceleration_time();
+  return block_sum(bodies.velocity.size(), [&](std::size_t i) {
+    const Vector impulse = (0.5 * change * bodies.mass[i]) * (bodies.velocity[i] - bodies.velocity_before[i]);
+    return HalfWorks{dot(impulse, bodies.velocity_before[i]), -dot(impulse, bodies.velocity[i])};
+  });
+}
+
+HalfWorks step_change_work(const RotationState& bodies, const Clock& clock) {
+  const double change = 0.5 * (clock.time_step - clock.time_step_before) / clock.acceleration_time();
+  return block_sum(bodies.spin.size(), [&](std::size_t i) {
+    const Moment impulse = 0.5 * change * bodies.inertia[i] * (bodies.spin[i] - bodies.spin_before[i]);
+    return HalfWorks{impulse * bodies.spin_before[i], -impulse * bodies.spin[i]};
+  });
+}
+
+double kinetic_energy(const TranslationState& bodies) {
+  return block_sum(bodies.velocity.size(), [&](std::size_t i) {
+    return 0.5 * bodies.mass[i] * dot(bodies.velocity_before[i], bodies.velocity[i]);
+  });
+}
+
+double kinetic_energy(const RotationState& bodies) {
+  return block_sum(bodies.spin.size(), [&](std::size_t i) {
+    return 0.5 * bodies.inertia[i] * bodies.spin_before[i] * bodies.spin[i];
+  });
+}
+
+}  // namespace
+
+void CentralDifference::update_positions(const Model& /*model*/, State& state) const {
+  move_translations(state.particles.translation, state.clock.time_step);
+  move_rotations(state.particles.rotation, state.clock.time_step);
+  move_translations(state.nodes.translation, state.clock.time_step);
+}
+
+void CentralDifference::update_velocities(const Model& model, State& state) {
+  coefficients_ = damping_->coefficients(model, state);
+  const double time = state.clock.acceleration_time();
+  accelerate_translations(state.particles.translation, model.particles.free, coefficients_, time);
+  accelerate_rotations(state.particles.rotation, model.particles.rotation_free, coefficients_, time);
+  accelerate_translations(state.nodes.translation, model.nodes.free, coefficients_, time);
+}
+
+void CentralDifference::book_work(const Model& model, State& state) {
+  HalfWorks damping;
+  // Without damping what the motion shows beyond the forces is rounding.
+  if (coefficients_.viscous != 0.0 || coefficients_.local != 0.0) {
+    damping += damping_work(state.particles.translation, model.particles.free, state.clock);
+    damping += damping_work(state.particles.rotation, model.particles.rotation_free, state.clock);
+    damping += damping_work(state.nodes.translation, model.nodes.free, state.clock);
+  }
+  state.ledger[state.ledger.open(damping_line)].book(damping.behind, damping.ahead);
+
+  HalfWorks step_change;
+  if (state.clock.time_step != state.clock.time_step_before) {
+    step_change += step_change_work(state.particles.translation, state.clock);
+    step_change += step_change_work(state.particles.rotation, state.clock);
+    step_change += step_change_work(state.nodes.translation, state.clock);
+  }
+  state.ledger[state.ledger.open(step_change_line)].book(step_change.behind, step_change.ahead);
+}
+
+std::vector<EnergyTerm> CentralDifference::energies(const Model& /*model*/, const State& state) const {
+  return {{"kinetic_particles", EnergyKind::kinetic, kinetic_energy(state.particles.translation)},
+          {"kinetic_rotation", EnergyKind::kinetic, kinetic_energy(state.particles.rotation)},
+          {"kinetic_nodes", EnergyKind::kinetic, kinetic_energy(state.nodes.translation)},
+          {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(damping_line)},
+          {"step_change", EnergyKind::work, state.ledger.total(step_change_line)}};
+}
+
+}  // namespace ligament

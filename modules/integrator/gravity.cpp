@@ -1,0 +1,30 @@
+#include "integrator/gravity.hpp"
+
+#include "core/block_sum.hpp"
+
+namespace ligament {
+namespace {
+
+void add_weight(const Field<double>& mass, const Vector& acceleration, Field<Vector>& force) {
+  for (std::size_t i = 0; i < mass.size(); ++i) force[i] += mass[i] * acceleration;
+}
+
+/// A constant force: its work is a function of the displacement.
+double work(const Field<double>& mass, const Vector& acceleration, const Field<Vector>& displacement) {
+  return block_sum(mass.size(), [&](std::size_t i) { return mass[i] * dot(acceleration, displacement[i]); });
+}
+
+}  // namespace
+
+void Gravity::add_forces(const Model& model, State& state) {
+  add_weight(model.particles.real_mass, acceleration_, state.particles.translation.force);
+  add_weight(model.nodes.real_mass, acceleration_, state.nodes.translation.force);
+}
+
+std::vector<EnergyTerm> Gravity::energies(const Model& model, const State& state) const {
+  return {{"gravity", EnergyKind::work,
+           work(model.particles.real_mass, acceleration_, state.particles.translation.displacement) +
+               work(model.nodes.real_mass, acceleration_, state.nodes.translation.displacement)}};
+}
+
+}  // namespace ligament

@@ -1,0 +1,51 @@
+#include "integrator/loads.hpp"
+
+#include <algorithm>
+
+namespace ligament {
+namespace {
+
+constexpr const char* line = "applied_loads";
+
+/// Share of the load that acts at this time.
+double share_at(const PointLoad& load, double time) {
+  return load.rise_time > 0.0 ? std::min(1.0, time / load.rise_time) : 1.0;
+}
+
+}  // namespace
+
+void AppliedLoads::add_forces(const Model& /*model*/, State& state) {
+  for (const PointLoad& load : loads_) {
+    const double share = share_at(load, state.clock.time);
+    if (load.body == PointLoad::Body::node) {
+      state.nodes.translation.force[load.row] += share * load.force;
+    } else {
+      state.particles.translation.force[load.row] += share * load.force;
+      state.particles.rotation.moment[load.row] += share * load.moment;
+    }
+  }
+}
+
+void AppliedLoads::book_work(const Model& /*model*/, State& state) {
+  double behind = 0.0;
+  double ahead = 0.0;
+  const double time_step = state.clock.time_step;
+  for (const PointLoad& load : loads_) {
+    const bool on_node = load.body == PointLoad::Body::node;
+    const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
+    const double share = share_at(load, state.clock.time);
+    const Vector force = share * load.force;
+    behind += 0.5 * dot(force, bodies.increment[load.row]);
+    ahead += 0.5 * time_step * dot(force, bodies.velocity[load.row]);
+    if (on_node) continue;
+    behind += 0.5 * share * load.moment * state.particles.rotation.increment[load.row];
+    ahead += 0.5 * time_step * share * load.moment * state.particles.rotation.spin[load.row];
+  }
+  state.ledger[state.ledger.open(line)].book(behind, ahead);
+}
+
+std::vector<EnergyTerm> AppliedLoads::energies(const Model& /*model*/, const State& state) const {
+  return {{"applied_loads", EnergyKind::work, state.ledger.total(line)}};
+}
+
+}  // namespace ligament

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/force_provider.hpp"
+
+namespace ligament {
+
+/// A force on one body, risen linearly within `rise_time` (s), at once if that is 0.
+struct PointLoad {
+  enum class Body { node, particle };
+  Body body = Body::node;
+  Index row = 0;
+  Vector force{};           ///< (N)
+  Moment moment = 0.0;      ///< particles only (N m)
+  double rise_time = 0.0;   ///< (s)
+};
+
+/// Forces that the case applies to nodes and particles.
+class AppliedLoads : public ForceProvider {
+ public:
+  explicit AppliedLoads(std::vector<PointLoad> loads) : loads_(std::move(loads)) {}
+
+  void add_forces(const Model& model, State& state) override;
+  [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
+  void book_work(const Model& model, State& state) override;
+
+ private:
+  std::vector<PointLoad> loads_;
+};
+
+}  // namespace ligament

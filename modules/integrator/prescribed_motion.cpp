@@ -1,0 +1,93 @@
+#include "integrator/prescribed_motion.hpp"
+
+#include <algorithm>
+
+namespace ligament {
+namespace {
+
+constexpr const char* line = "prescribed_motions";
+
+double velocity_at(const PrescribedFreedom& freedom, double time) {
+  if (freedom.stop_time >= 0.0 && time >= freedom.stop_time) return 0.0;
+  const double share = freedom.rise_time > 0.0 ? std::min(1.0, time / freedom.rise_time) : 1.0;
+  return share * freedom.velocity;
+}
+
+/// What a freedom's equation of motion is made of.
+struct FreedomState {
+  double inertia;
+  double velocity_before;
+  double velocity;
+  double increment;
+  double force;
+
+  /// m (v₊ - v₋)/Δt less the resultant: the force that prescribes the motion.
+  [[nodiscard]] double reaction(const Clock& clock) const {
+    return inertia * (velocity - velocity_before) / clock.acceleration_time() - force;
+  }
+};
+
+FreedomState state_of(const PrescribedFreedom& freedom, const State& state) {
+  const Index row = freedom.row;
+  if (freedom.axis == dimension) {
+    const RotationState& bodies = state.particles.rotation;
+    return {bodies.inertia[row], bodies.spin_before[row], bodies.spin[row], bodies.increment[row], bodies.moment[row]};
+  }
+  const bool on_node = freedom.body == PrescribedFreedom::Body::node;
+  const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
+  return {bodies.mass[row], component(bodies.velocity_before[row], freedom.axis),
+          component(bodies.velocity[row], freedom.axis), component(bodies.increment[row], freedom.axis),
+          component(bodies.force[row], freedom.axis)};
+}
+
+}  // namespace
+
+void PrescribedMotion::fix(Model& model) const {
+  for (const PrescribedFreedom& freedom : freedoms_) {
+    if (freedom.axis == dimension) {
+      model.particles.rotation_free[freedom.row] = 0.0;
+    } else {
+      auto& free = freedom.body == PrescribedFreedom::Body::node ? model.nodes.free : model.particles.free;
+      set_component(free[freedom.row], freedom.axis, 0.0);
+    }
+  }
+}
+
+void PrescribedMotion::apply(const Model& /*model*/, State& state) {
+  // The velocity of the step ahead belongs to its middle.
+  const double time = state.clock.time + 0.5 * state.clock.time_step;
+  for (const PrescribedFreedom& freedom : freedoms_) {
+    const double velocity = velocity_at(freedom, time);
+    if (freedom.axis == dimension) {
+      state.particles.rotation.spin[freedom.row] = velocity;
+    } else {
+      const bool on_node = freedom.body == PrescribedFreedom::Body::node;
+      TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
+      set_component(bodies.velocity[freedom.row], freedom.axis, velocity);
+    }
+  }
+}
+
+void PrescribedMotion::book_work(const Model& /*model*/, State& state) {
+  double behind = 0.0;
+  double ahead = 0.0;
+  for (const PrescribedFreedom& freedom : freedoms_) {
+    const FreedomState body = state_of(freedom, state);
+    const double reaction = body.reaction(state.clock);
+    behind += 0.5 * reaction * body.increment;
+    ahead += 0.5 * reaction * body.velocity * state.clock.time_step;
+  }
+  state.ledger[state.ledger.open(line)].book(behind, ahead);
+}
+
+std::vector<EnergyTerm> PrescribedMotion::energies(const Model& /*model*/, const State& state) const {
+  return {{"prescribed_motions", EnergyKind::work, state.ledger.total(line)}};
+}
+
+Vector reaction(const TranslationState& bodies, const Field<Vector>& free, const Clock& clock, Index row) {
+  const Vector shown = (bodies.mass[row] / clock.acceleration_time()) *
+                       (bodies.velocity[row] - bodies.velocity_before[row]);
+  return componentwise(uniform_vector(1.0) - free[row], shown - bodies.force[row]);
+}
+
+}  // namespace ligament

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/integrator.hpp"
+
+namespace ligament {
+
+/// One freedom whose velocity is prescribed; a support has velocity 0.
+struct PrescribedFreedom {
+  enum class Body { node, particle };
+  Body body = Body::node;
+  Index row = 0;
+  int axis = 0;             ///< component of the translation; `dimension` for the rotation of a particle
+  double velocity = 0.0;    ///< (m/s, rad/s)
+  double rise_time = 0.0;   ///< within which the velocity rises linearly (s)
+  double stop_time = -1.0;  ///< after which the body stands still (s); never if negative
+};
+
+/// Supports and prescribed motions.
+class PrescribedMotion : public Constraint {
+ public:
+  explicit PrescribedMotion(std::vector<PrescribedFreedom> freedoms) : freedoms_(std::move(freedoms)) {}
+
+  /// Takes the freedoms away from the integrator.
+  void fix(Model& model) const;
+
+  void apply(const Model& model, State& state) override;
+  [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
+  void book_work(const Model& model, State& state) override;
+
+ private:
+  std::vector<PrescribedFreedom> freedoms_;
+};
+
+/// Force (N) that holds a body's prescribed freedoms: what its motion shows beyond the resultant. 0 along free axes.
+Vector reaction(const TranslationState& bodies, const Field<Vector>& free, const Clock& clock, Index row);
+
+}  // namespace ligament

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace ligament {
+
+/// One array of a group. Values of a body stand together: n_components for the first, for the second, ...
+struct FieldArray {
+  std::string name;
+  std::string unit;  ///< "1" if without dimension
+  int n_components = 1;
+  std::variant<std::vector<double>, std::vector<std::int64_t>> values;  ///< integers for ids, materials, modes
+};
+
+/// Shapes a group may consist of, with the numbers VTK gives them.
+enum class CellType : std::uint8_t { vertex = 1, line = 3, quad = 9 };
+
+/// Particles, elements or contacts as an unstructured grid with cells of one shape. It may be empty.
+struct FieldGroup {
+  std::string name;  ///< "particles", "elements", "contacts"
+  CellType cell_type = CellType::vertex;
+  std::vector<double> points;              ///< three coordinates of each, m
+  std::vector<std::int64_t> connectivity;  ///< the points of each cell
+  std::vector<FieldArray> point_data;
+  std::vector<FieldArray> cell_data;
+};
+
+/// The output a field file belongs to.
+struct FieldStamp {
+  std::int64_t step = 0;
+  double time_s = 0;
+};
+
+/// Writes a group as VTKHDF UnstructuredGrid 1.0, whole or not at all. The bytes depend on the arguments alone. Units
+/// are attributes of the arrays, step and time attributes of /VTKHDF. FileError names the path and the reason.
+void write_vtkhdf(const std::filesystem::path& final_path, const FieldGroup& group, std::int64_t step, double time_s);
+
+/// What write_vtkhdf wrote as step and time; FileError if the file cannot be read or has none.
+[[nodiscard]] FieldStamp read_field_stamp(const std::filesystem::path& path);
+
+}  // namespace ligament

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "build/build_model.hpp"
+#include "case/case.hpp"
+#include "gauge.hpp"
+#include "simulation.hpp"
+
+namespace ligament {
+
+/// A case ready to run.
+struct BuiltSimulation {
+  Simulation simulation;
+  std::vector<Gauge> gauges;
+  std::vector<ZoneReport> reports;
+  std::vector<std::string> warnings;
+};
+
+/// The composition root: makes model, modules and gauges of a case. Only here are concrete classes named. Throws
+/// InputError with all errors, each with its place in the case file.
+BuiltSimulation build_simulation(Case& input);
+
+}  // namespace ligament

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/case_tables.hpp"
+#include "io/case_file.hpp"
+#include "io/parameter_docs.hpp"
+
+namespace ligament {
+
+/// A table that was read, and where it stands in the file.
+template <class Table>
+struct Read {
+  Table table;
+  TableView view;
+};
+
+/// A case: everything that its file says.
+struct Case {
+  explicit Case(CaseFile case_file) : file(std::move(case_file)) {}
+
+  CaseFile file;
+  std::string title;
+  ProblemTable problem;
+  std::vector<Read<MaterialTable>> materials;
+  std::optional<Read<MeshTable>> mesh;
+  ContactTableOfCase contact;
+  GenerationTable generation;
+  std::vector<Read<ZoneTable>> zones;
+  std::vector<Read<SupportTable>> supports;
+  std::vector<Read<MotionTable>> motions;
+  std::vector<Read<LoadTable>> loads;
+  std::vector<Read<GaugeTable>> gauges;
+  SolverTable solver;
+  OutputTable output;
+  CheckpointTable checkpoint;
+  AuditTable audit;
+};
+
+/// Reads a case file. Throws InputError with all errors of the file, each with its place.
+Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+
+/// All tables and keys there are, for `explain`, the schema and the reference.
+std::vector<TableDescription> describe_case();
+
+/// Hash of what the case says, its layout and comments left out (32 hex digits).
+std::string case_hash(const Case& input);
+
+}  // namespace ligament

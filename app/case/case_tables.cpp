@@ -1,0 +1,148 @@
+#include "case/case_tables.hpp"
+
+namespace ligament {
+
+void ProblemTable::declare(Parameters& parameters) {
+  parameters.choice("plane", plane, {{"stress", PlaneState::stress}, {"strain", PlaneState::strain}},
+                    "plane stress or plane strain");
+  parameters.quantity("thickness", thickness, "m", "thickness t of the body").required().greater_than(0.0);
+  parameters.point("gravity", gravity, "m/s2", "acceleration of gravity g; acts on the bodies' real masses");
+}
+
+void MaterialTable::declare(Parameters& parameters) {
+  parameters.quantity("young_modulus", young_modulus, "Pa", "Young's modulus E").required().greater_than(0.0);
+  parameters.number("poisson_ratio", poisson_ratio, "Poisson's ratio ν").required().greater_than(-1.0).less_than(0.5);
+  parameters.quantity("density", density, "kg/m3", "density ρ; needed where masses are real or gravity acts")
+      .greater_than(0.0);
+  parameters.choice("stiffness", stiffness,
+                    {{"plane", StiffnessFormula::plane}, {"hexagonal", StiffnessFormula::hexagonal}},
+                    "how k_n and k_s of a contact follow from E and ν: 'plane', Eq. (33), for any assembly; "
+                    "'hexagonal', Eq. (34), for hexagonal lattices, needs ν < 1/3 (plane strain: 1/4)");
+  parameters.choice("contact_length", contact_length,
+                    {{"centre_distance", ContactLength::centre_distance}, {"radius_sum", ContactLength::radius_sum}},
+                    "length L in Eq. (33) of two particles: their distance at set-up, or the sum of their radii");
+}
+
+void MeshTable::declare(Parameters& parameters) {
+  parameters.quantities("x", x, "m", "positions of the vertical grid lines, ascending").required().length_at_least(2);
+  parameters.quantities("y", y, "m", "positions of the horizontal grid lines, ascending").required().length_at_least(2);
+  parameters.text("material", material, "name of the material of the elements").required();
+}
+
+void ContactTableOfCase::declare(Parameters& parameters) {
+  parameters
+      .quantity(
+          "skin", skin, "m",
+          "pairs are listed while their gap is below the skin, lists are renewed when a body has moved by half of "
+          "it; default a quarter of the smallest radius")
+      .greater_than(0.0);
+}
+
+void GenerationTable::declare(Parameters& parameters) {
+  parameters.integer("seed", seed, "seed of the random numbers of all generators").at_least(0);
+}
+
+void ZoneTable::declare(Parameters& parameters) {
+  parameters.point("from", from, "m", "lower left corner of the rectangle filled with particles").required();
+  parameters.point("to", to, "m", "upper right corner").required();
+  parameters.text("material", material, "name of the material of the contacts between particles").required();
+  parameters.text("interface_material", interface_material,
+                  "name of the material of the contacts with elements; default that of the zone");
+  parameters
+      .number("detection_gap", detection_gap,
+              "particles closer than this times the sum of their radii are bonded; default by the generator")
+      .at_least(0.0);
+  parameters
+      .number("interface_gap", interface_gap,
+              "particles closer to an element than this times their radius are bonded to it; default by the generator")
+      .at_least(0.0);
+}
+
+void BodySelection::declare(Parameters& parameters) {
+  Parameters& at = parameters.table("at", "all nodes on a line, or at a point");
+  at.quantity("x", x, "m", "position of the nodes");
+  at.quantity("y", y, "m", "position of the nodes");
+  parameters.integers("nodes", nodes, "numbers of nodes in the full grid, row by row from the bottom left, from 1")
+      .at_least(1);
+  parameters.integers("particles", particles, "numbers of particles, from 1").at_least(1);
+}
+
+void SupportTable::declare(Parameters& parameters) {
+  bodies.declare(parameters);
+  parameters.texts("fix", fix, "what is held: 'x', 'y', and 'rotation' of particles")
+      .required()
+      .length_at_least(1)
+      .one_of({"x", "y", "rotation"});
+}
+
+void MotionTable::declare(Parameters& parameters) {
+  bodies.declare(parameters);
+  parameters.text("direction", direction, "axis of the prescribed motion").required().one_of({"x", "y"});
+  parameters.quantity("velocity", velocity, "m/s", "prescribed velocity").required();
+  parameters.quantity("rise_time", rise_time, "s", "time within which the velocity rises linearly").at_least(0.0);
+  parameters.quantity("stop_time", stop_time, "s", "time at which the motion stops").at_least(0.0);
+}
+
+void LoadTable::declare(Parameters& parameters) {
+  bodies.declare(parameters);
+  parameters.point("force", force, "N", "force on each of the bodies").required();
+  parameters.quantity("rise_time", rise_time, "s", "time within which the force rises linearly; 0: suddenly")
+      .at_least(0.0);
+}
+
+void GaugePoint::declare(Parameters& parameters) {
+  parameters.integer("node", node, "number of the node").at_least(1);
+  parameters.integer("particle", particle, "number of the particle").at_least(1);
+  parameters.text("direction", direction, "axis").required().one_of({"x", "y"});
+}
+
+void GaugeTable::declare(Parameters& parameters) {
+  displacement.declare(
+      parameters.table("displacement", displacement.is_given, "displacement of a node or particle (m)"));
+  reaction.declare(parameters.table("reaction", reaction.is_given, "force that holds a supported or driven body (N)"));
+}
+
+void SolverTable::declare(Parameters& parameters) {
+  parameters.choice("masses", time_step.masses, {{"scaled", Masses::scaled}, {"real", Masses::real}},
+                    "masses scaled so that the time step is stable for every body (quasi-static runs; time is a "
+                    "pseudo-time), or real ones (dynamics)");
+  parameters.number("mass_safety", time_step.safety, "scaled masses over those of the stability bound").at_least(1.0);
+  parameters.number("time_step_factor", time_step.factor, "time step over the critical one, real masses")
+      .greater_than(0.0)
+      .at_most(1.0);
+  parameters
+      .quantity("time_step", time_step.time_step, "s",
+                "time step of scaled masses (pseudo-time), default 1 s; upper bound of the time step of real masses")
+      .greater_than(0.0);
+  parameters
+      .number("unbalanced_force_ratio", unbalanced_force_ratio,
+              "the run has converged when the largest resultant force over the mean contact force is below this; "
+              "without it the run goes on to max_steps")
+      .greater_than(0.0);
+  parameters.integer("max_steps", max_steps, "the run ends at this step at the latest").required().at_least(1);
+  parameters.integer("check_every", check_every, "steps between two checks of convergence").at_least(1);
+}
+
+void OutputTable::declare(Parameters& parameters) {
+  parameters.integer("every", every, "steps between two rows of history.csv and energy.csv").at_least(1);
+  parameters
+      .integer("fields_every", fields_every,
+               "steps between two field outputs; without it only the first and the last state are written")
+      .at_least(1);
+}
+
+void CheckpointTable::declare(Parameters& parameters) {
+  parameters.integer("every", every, "steps between two checkpoints").at_least(1);
+  parameters.integer("keep", keep, "number of checkpoints that are kept").at_least(1).at_most(1000);
+  parameters.text("folder", folder,
+                  "where the checkpoints go, relative to the case file; default checkpoints/ in the working directory");
+}
+
+void AuditTable::declare(Parameters& parameters) {
+  parameters.number("tolerance", tolerance, "largest error of the energy ledger, over the largest energy so far")
+      .greater_than(0.0);
+  parameters.boolean("every_step", every_step,
+                     "check motion and transfer of energy and all numbers at every step (always on in audit builds)");
+}
+
+}  // namespace ligament

@@ -1,0 +1,162 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/constitutive_law.hpp"
+#include "core/generator.hpp"
+#include "core/integrator.hpp"
+#include "core/model.hpp"
+#include "core/parameters.hpp"
+#include "io/case_table.hpp"
+#include "simulation.hpp"
+
+/// The tables of a case file: what each may hold, bound to the members that take it.
+namespace ligament {
+
+struct ProblemTable {
+  PlaneState plane = PlaneState::stress;
+  double thickness = 0.0;
+  std::array<double, 2> gravity{};
+
+  void declare(Parameters& parameters);
+};
+
+struct MaterialTable {
+  std::string name;
+  double young_modulus = 0.0;
+  double poisson_ratio = 0.0;
+  std::optional<double> density;
+  StiffnessFormula stiffness = StiffnessFormula::plane;
+  ContactLength contact_length = ContactLength::centre_distance;
+  std::shared_ptr<ConstitutiveLaw> law;
+
+  void declare(Parameters& parameters);
+};
+
+struct MeshTable {
+  std::vector<double> x;
+  std::vector<double> y;
+  std::string material;
+
+  void declare(Parameters& parameters);
+};
+
+struct ContactTableOfCase {
+  std::optional<double> skin;
+
+  void declare(Parameters& parameters);
+};
+
+struct GenerationTable {
+  std::int64_t seed = 1;
+
+  void declare(Parameters& parameters);
+};
+
+struct ZoneTable {
+  std::string name;
+  std::array<double, 2> from{};
+  std::array<double, 2> to{};
+  std::string material;
+  std::optional<std::string> interface_material;
+  std::optional<double> detection_gap;
+  std::optional<double> interface_gap;
+  std::unique_ptr<Generator> generator;
+
+  void declare(Parameters& parameters);
+};
+
+/// Which bodies a support, motion or load concerns.
+struct BodySelection {
+  std::optional<double> x;
+  std::optional<double> y;
+  std::vector<std::int64_t> nodes;
+  std::vector<std::int64_t> particles;
+
+  void declare(Parameters& parameters);
+};
+
+struct SupportTable {
+  std::string name;
+  BodySelection bodies;
+  std::vector<std::string> fix;
+
+  void declare(Parameters& parameters);
+};
+
+struct MotionTable {
+  std::string name;
+  BodySelection bodies;
+  std::string direction;
+  double velocity = 0.0;
+  double rise_time = 0.0;
+  std::optional<double> stop_time;
+
+  void declare(Parameters& parameters);
+};
+
+struct LoadTable {
+  std::string name;
+  BodySelection bodies;
+  std::array<double, 2> force{};
+  double rise_time = 0.0;
+
+  void declare(Parameters& parameters);
+};
+
+/// One body and an axis.
+struct GaugePoint {
+  bool is_given = false;
+  std::optional<std::int64_t> node;
+  std::optional<std::int64_t> particle;
+  std::string direction;
+
+  void declare(Parameters& parameters);
+};
+
+struct GaugeTable {
+  std::string name;
+  GaugePoint displacement;
+  GaugePoint reaction;
+
+  void declare(Parameters& parameters);
+};
+
+struct SolverTable {
+  TimeStepChoice time_step;
+  std::optional<double> unbalanced_force_ratio;
+  std::int64_t max_steps = 0;
+  std::int64_t check_every = 10;
+  std::string method;
+  std::unique_ptr<Damping> damping;
+
+  void declare(Parameters& parameters);
+};
+
+struct OutputTable {
+  std::int64_t every = 100;
+  std::optional<std::int64_t> fields_every;
+
+  void declare(Parameters& parameters);
+};
+
+struct CheckpointTable {
+  std::int64_t every = 1000;
+  std::int64_t keep = 3;
+  std::optional<std::string> folder;
+
+  void declare(Parameters& parameters);
+};
+
+struct AuditTable {
+  double tolerance = 1e-6;
+  bool every_step = false;
+
+  void declare(Parameters& parameters);
+};
+
+}  // namespace ligament

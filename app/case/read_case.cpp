@@ -1,0 +1,115 @@
+#include "case/case.hpp"
+#include "constitutive/register_laws.hpp"
+#include "core/text_hash.hpp"
+#include "generation/register_generators.hpp"
+#include "integrator/register_dampings.hpp"
+
+namespace ligament {
+namespace {
+
+constexpr const char* default_method = "dynamic_relaxation";
+/// Converged to what elastic cases need, unless the case says otherwise.
+constexpr double default_force_ratio = 1e-6;
+
+template <class Table>
+void read_single(CaseFile& file, const std::string& name, Table& table) {
+  Parameters parameters;
+  table.declare(parameters);
+  file.read(file.table(name), parameters);
+}
+
+/// Reads an array of tables whose elements differ in nothing but values.
+template <class Table>
+std::vector<Read<Table>> read_array(CaseFile& file, const std::string& name) {
+  std::vector<Read<Table>> tables;
+  for (const TableView& view : file.array_of_tables(name)) {
+    Table table;
+    table.name = view.name();
+    Parameters parameters;
+    table.declare(parameters);
+    file.read(view, parameters);
+    tables.push_back({std::move(table), view});
+  }
+  return tables;
+}
+
+/// Reads a table together with the keys of the product that one of them names; the product stays empty if that is
+/// wrong.
+template <class Table, class Interface, class Pointer>
+void read_with_choice(CaseFile& file, const TableView& view, Table& table, const Registry<Interface>& registry,
+                      const std::string& selector, Pointer& product,
+                      const std::optional<std::string>& fallback = std::nullopt) {
+  Parameters parameters;
+  table.declare(parameters);
+  const auto choice = file.peek(view, selector, registry.names(), fallback);
+  if (choice) {
+    product = registry.create(*choice);
+    product->declare(parameters);
+  }
+  file.read(view, parameters);
+}
+
+std::vector<Read<MaterialTable>> read_materials(CaseFile& file) {
+  std::vector<Read<MaterialTable>> materials;
+  const auto laws = contact_laws();
+  for (const TableView& view : file.named_tables("material")) {
+    MaterialTable material;
+    material.name = view.name();
+    read_with_choice(file, view, material, laws, "law", material.law);
+    materials.push_back({std::move(material), view});
+  }
+  return materials;
+}
+
+std::vector<Read<ZoneTable>> read_zones(CaseFile& file) {
+  std::vector<Read<ZoneTable>> zones;
+  const auto all_generators = generators();
+  for (const TableView& view : file.array_of_tables("zone")) {
+    ZoneTable zone;
+    zone.name = view.name();
+    read_with_choice(file, view, zone, all_generators, "generator", zone.generator);
+    zones.push_back({std::move(zone), view});
+  }
+  return zones;
+}
+
+void read_solver(CaseFile& file, SolverTable& solver) {
+  const TableView view = file.table("solver");
+  solver.method = file.peek(view, "method", dampings().names(), default_method).value_or(default_method);
+  if (solver.method == default_method) solver.unbalanced_force_ratio = default_force_ratio;
+  read_with_choice(file, view, solver, dampings(), "method", solver.damping, default_method);
+}
+
+}  // namespace
+
+Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  Case input(CaseFile::load(path, overrides));
+  CaseFile& file = input.file;
+  Parameters top;
+  top.text("title", input.title, "what the case is about");
+  file.read(file.top_level(), top);
+  read_single(file, "problem", input.problem);
+  input.materials = read_materials(file);
+  if (file.has("mesh")) {
+    MeshTable mesh;
+    read_single(file, "mesh", mesh);
+    input.mesh.emplace(Read<MeshTable>{std::move(mesh), file.table("mesh")});
+  }
+  read_single(file, "contact", input.contact);
+  read_single(file, "generation", input.generation);
+  input.zones = read_zones(file);
+  input.supports = read_array<SupportTable>(file, "support");
+  input.motions = read_array<MotionTable>(file, "motion");
+  input.loads = read_array<LoadTable>(file, "load");
+  input.gauges = read_array<GaugeTable>(file, "gauge");
+  read_solver(file, input.solver);
+  read_single(file, "output", input.output);
+  read_single(file, "checkpoint", input.checkpoint);
+  read_single(file, "audit", input.audit);
+  file.throw_if_errors();
+  return input;
+}
+
+std::string case_hash(const Case& input) { return text_hash(input.file.resolved_text()); }
+
+}  // namespace ligament

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "commands/commands.hpp"
+#include "run/run_report.hpp"
+#include "run/runner.hpp"
+#include "run/signals.hpp"
+#include "version.hpp"
+
+namespace ligament {
+namespace {
+
+struct RunOptions {
+  std::string case_path;
+  std::string output;
+  bool overwrite = false;
+  bool quiet = false;
+  std::vector<std::string> overrides;
+  std::optional<std::int64_t> stop_after_steps;
+};
+
+std::filesystem::path checkpoint_parent(const Case& input, const std::filesystem::path& case_path) {
+  if (!input.checkpoint.folder) return "checkpoints";
+  return case_path.parent_path() / *input.checkpoint.folder;
+}
+
+void show_banner(Console& console, const Case& input, const BuiltSimulation& built) {
+  console.line(fmt::format("ligament {} ({}): {}", program_version(), program_build(), input.file.file_name()));
+  for (const std::string& line : describe(input, built)) console.line(line);
+  for (const std::string& warning : built.warnings) console.warning(warning);
+}
+
+ExitCode run(const RunOptions& options) {
+  const std::filesystem::path case_path = options.case_path;
+  const std::filesystem::path output = options.output.empty() ? std::filesystem::path("results") / case_path.stem()
+                                                              : std::filesystem::path(options.output);
+  Case input = read_case(case_path, options.overrides);
+  // Everything that can be wrong with the input is known before anything is written.
+  BuiltSimulation built = build_simulation(input);
+  const RunDirectory directory =
+      RunDirectory::create(output, input, options.overrides, checkpoint_parent(input, case_path), options.overwrite);
+  Console console(options.quiet);
+  console.open_log(directory.file("run.log"));
+  show_banner(console, input, built);
+  install_signal_handlers();
+  Runner runner(input, built, directory, console);
+  runner.stop_at(options.stop_after_steps);
+  return runner.start();
+}
+
+struct ResumeOptions {
+  std::string directory;
+  bool quiet = false;
+  std::optional<std::int64_t> until_step;
+};
+
+ExitCode resume(const ResumeOptions& options) {
+  const RunDirectory directory = RunDirectory::open(options.directory);
+  Case input = read_case(directory.file("case.toml"), directory.overrides());
+  BuiltSimulation built = build_simulation(input);
+  Console console(options.quiet);
+  console.open_log(directory.file("run.log"));
+  show_banner(console, input, built);
+  install_signal_handlers();
+  Runner runner(input, built, directory, console);
+  runner.stop_at(options.until_step);
+  return runner.resume();
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "run a case");
+  command->add_option("case", options->case_path, "case file (TOML)")->required();
+  command->add_option("--output", options->output, "run directory; default results/<case>");
+  command->add_flag("--overwrite", options->overwrite, "replace the run that is in the run directory");
+  command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
+  command->add_option("--set", options->overrides, "key=value instead of what the case says; repeatable")
+      ->take_all()
+      ->allow_extra_args(false);
+  command->add_option("--stop-after-steps", options->stop_after_steps, "stop at this step, with a checkpoint")
+      ->check(CLI::NonNegativeNumber);
+  command->callback([options, &action] { action = [options] { return run(*options); }; });
+}
+
+void add_resume_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<ResumeOptions>();
+  CLI::App* command = app.add_subcommand("resume", "go on from the newest good checkpoint, to the same bits");
+  command->add_option("run_directory", options->directory, "directory of the run")->required();
+  command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
+  command->add_option("--until-step", options->until_step, "stop at this step, with a checkpoint")
+      ->check(CLI::NonNegativeNumber);
+  command->callback([options, &action] { action = [options] { return resume(*options); }; });
+}
+
+}  // namespace ligament

@@ -1,0 +1,158 @@
+#include "run/field_output.hpp"
+
+#include "contact/facet_search.hpp"
+#include "mesh/element_properties.hpp"
+
+namespace ligament {
+namespace {
+
+constexpr int n_space = 3;
+
+FieldArray vectors(std::string name, std::string unit, const Field<Vector>& values) {
+  std::vector<double> flat;
+  flat.reserve(n_space * values.size());
+  for (const Vector& value : values) {
+    for (const double c : to_space(value)) flat.push_back(c);
+  }
+  return {std::move(name), std::move(unit), n_space, std::move(flat)};
+}
+
+FieldArray numbers(std::string name, std::string unit, std::vector<double> values) {
+  return {std::move(name), std::move(unit), 1, std::move(values)};
+}
+
+template <class T>
+FieldArray integers(std::string name, const Field<T>& values) {
+  std::vector<std::int64_t> wide;
+  wide.reserve(values.size());
+  for (const T value : values) wide.push_back(static_cast<std::int64_t>(value));
+  return {std::move(name), "1", 1, std::move(wide)};
+}
+
+std::vector<double> points_of(const Field<Vector>& positions) {
+  return std::get<std::vector<double>>(vectors("points", "m", positions).values);
+}
+
+/// v(n), between v(n-½) and v(n+½).
+Field<Vector> velocities(const TranslationState& bodies) {
+  Field<Vector> mean(bodies.velocity.size());
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = 0.5 * (bodies.velocity_before[i] + bodies.velocity[i]);
+  return mean;
+}
+
+/// Both ends of the lines that stand for contacts.
+struct ContactLines {
+  Field<Vector> position;
+  Field<Vector> displacement;
+  std::vector<double> normal_force, shear_force, opening, slip;
+  Field<Index> kind;
+  Field<BondState> bond;
+
+  void add(const ContactTable& contacts, std::size_t row, Index kind_of_row) {
+    normal_force.push_back(contacts.normal_force[row]);
+    shear_force.push_back(contacts.shear_force[row]);
+    opening.push_back(contacts.opening[row]);
+    slip.push_back(contacts.shear_displacement[row]);
+    kind.push_back(kind_of_row);
+    bond.push_back(contacts.bond[row]);
+  }
+  void add_end(const Vector& rest, const Vector& moved) {
+    position.push_back(rest);
+    displacement.push_back(moved);
+  }
+};
+
+ContactLines contact_lines(const Model& model, const State& state) {
+  ContactLines lines;
+  const auto add_all = [&](const ContactTable& contacts, Index kind, auto&& add_second) {
+    for (std::size_t row = 0; row < contacts.size(); ++row) {
+      lines.add(contacts, row, kind);
+      const Index a = contacts.first[row];
+      lines.add_end(model.particles.position[a], state.particles.translation.displacement[a]);
+      add_second(a, contacts.second[row]);
+    }
+  };
+  const auto& nodes = state.nodes.translation.displacement;
+  add_all(state.particle_contacts, 0, [&](Index, Index b) {
+    lines.add_end(model.particles.position[b], state.particles.translation.displacement[b]);
+  });
+  add_all(state.facet_contacts, 1, [&](Index a, Index facet) {
+    const auto& [i, j] = model.facets.nodes[facet];
+    const Vector& from = model.nodes.position[i];
+    const Vector& to = model.nodes.position[j];
+    const FacetPlace place = place_at_facet(from, to, model.particles.position[a]);
+    const double share = place.position / place.length;
+    lines.add_end(from + share * (to - from), nodes[i] + share * (nodes[j] - nodes[i]));
+  });
+  add_all(state.corner_contacts, 2, [&](Index, Index node) { lines.add_end(model.nodes.position[node], nodes[node]); });
+  return lines;
+}
+
+}  // namespace
+
+FieldGroup particle_fields(const Model& model, const State& state) {
+  FieldGroup group{.name = "particles", .cell_type = CellType::vertex, .points = points_of(model.particles.position)};
+  for (std::size_t i = 0; i < model.particles.size(); ++i) group.connectivity.push_back(static_cast<std::int64_t>(i));
+  group.point_data = {numbers("radius", "m", model.particles.radius),
+                      vectors("displacement", "m", state.particles.translation.displacement),
+                      numbers("rotation", "rad", state.particles.rotation.rotation),
+                      vectors("velocity", "m/s", velocities(state.particles.translation)),
+                      integers("material", model.particles.material),
+                      integers("id", model.particles.id)};
+  return group;
+}
+
+FieldGroup element_fields(const Model& model, const State& state) {
+  FieldGroup group{.name = "elements", .cell_type = CellType::quad, .points = points_of(model.nodes.position)};
+  std::vector<double> strains;
+  std::vector<double> stresses;
+  for (std::size_t element = 0; element < model.elements.size(); ++element) {
+    for (const Index node : model.elements.nodes[element]) group.connectivity.push_back(node);
+    const auto [strain, stress] = element_stress(model, state.nodes.translation.displacement, element);
+    strains.insert(strains.end(), strain.begin(), strain.end());
+    stresses.insert(stresses.end(), stress.begin(), stress.end());
+  }
+  group.point_data = {vectors("displacement", "m", state.nodes.translation.displacement),
+                      vectors("velocity", "m/s", velocities(state.nodes.translation)), integers("id", model.nodes.id)};
+  group.cell_data = {{"strain", "1", n_space, std::move(strains)},
+                     {"stress", "Pa", n_space, std::move(stresses)},
+                     integers("material", model.elements.material),
+                     integers("id", model.elements.id)};
+  return group;
+}
+
+FieldGroup contact_fields(const Model& model, const State& state) {
+  ContactLines lines = contact_lines(model, state);
+  FieldGroup group{.name = "contacts", .cell_type = CellType::line, .points = points_of(lines.position)};
+  for (std::size_t i = 0; i < lines.position.size(); ++i) group.connectivity.push_back(static_cast<std::int64_t>(i));
+  group.point_data = {vectors("displacement", "m", lines.displacement)};
+  group.cell_data = {numbers("normal_force", "N", std::move(lines.normal_force)),
+                     numbers("shear_force", "N", std::move(lines.shear_force)),
+                     numbers("opening", "m", std::move(lines.opening)),
+                     numbers("slip", "m", std::move(lines.slip)),
+                     integers("kind", lines.kind),
+                     integers("bond", lines.bond)};
+  return group;
+}
+
+FieldOutput::FieldOutput(const std::filesystem::path& folder)
+    : particles_(folder, "particles"), elements_(folder, "elements"), contacts_(folder, "contacts") {}
+
+void FieldOutput::resume(std::int64_t last_step) {
+  for (FieldSeries* series : {&particles_, &elements_, &contacts_}) series->resume(last_step);
+}
+
+void FieldOutput::write(const Model& model, const State& state) {
+  const auto& [step, time, time_step, time_step_before] = state.clock;
+  const auto write_group = [&](FieldSeries& series, const FieldGroup& group) {
+    write_vtkhdf(series.file_of(step), group, step, time);
+    series.add(step, time);
+  };
+  if (model.particles.size() > 0) {
+    write_group(particles_, particle_fields(model, state));
+    write_group(contacts_, contact_fields(model, state));
+  }
+  if (model.elements.size() > 0) write_group(elements_, element_fields(model, state));
+}
+
+}  // namespace ligament

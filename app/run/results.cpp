@@ -1,0 +1,71 @@
+#include "run/results.hpp"
+
+#include <string>
+
+#include "run/run_report.hpp"
+
+namespace ligament {
+namespace {
+
+std::vector<std::string> history_columns(const BuiltSimulation& built) {
+  std::vector<std::string> columns{"time_s"};
+  for (const Gauge& gauge : built.gauges) columns.push_back(gauge.column);
+  for (const char* name : {"n_broken", "unbalanced_force_ratio", "energy_error"}) columns.emplace_back(name);
+  return columns;
+}
+
+std::vector<std::string> energy_columns(const BuiltSimulation& built) {
+  std::vector<std::string> columns{"time_s"};
+  for (const EnergyTerm& term : built.simulation.energies()) columns.push_back(term.name + "_J");
+  columns.emplace_back("defect_J");
+  columns.emplace_back("error");
+  return columns;
+}
+
+}  // namespace
+
+Results::Results(const RunDirectory& directory, const BuiltSimulation& built)
+    : history_(CsvTable::create(directory.file("history.csv"), history_columns(built))),
+      energy_(CsvTable::create(directory.file("energy.csv"), energy_columns(built))),
+      fields_(directory.file("fields")) {
+  fields_.resume(-1);
+}
+
+Results::Results(const RunDirectory& directory, const BuiltSimulation& built, std::int64_t resumed_step)
+    : history_(CsvTable::resume(directory.file("history.csv"), history_columns(built), resumed_step)),
+      energy_(CsvTable::resume(directory.file("energy.csv"), energy_columns(built), resumed_step)),
+      fields_(directory.file("fields")) {
+  fields_.resume(resumed_step);
+}
+
+HistoryRow Results::write_row(BuiltSimulation& built) {
+  Simulation& simulation = built.simulation;
+  const Clock& clock = simulation.state().clock;
+  HistoryRow row{.step = clock.step, .time = clock.time};
+  for (const Gauge& gauge : built.gauges) row.gauges.push_back(gauge.value(simulation.model(), simulation.state()));
+  row.n_broken = count_broken(simulation.state());
+  row.unbalanced_force_ratio = simulation.unbalance().ratio();
+  row.energy_error = simulation.audit();
+
+  std::vector<double> history{row.time};
+  history.insert(history.end(), row.gauges.begin(), row.gauges.end());
+  history.insert(history.end(), {static_cast<double>(row.n_broken), row.unbalanced_force_ratio, row.energy_error});
+  history_.append(row.step, history);
+
+  std::vector<double> energy{row.time};
+  EnergyBalance balance;
+  for (const EnergyTerm& term : simulation.energies()) {
+    energy.push_back(term.value);
+    balance.add(term);
+  }
+  energy.insert(energy.end(), {balance.defect(), row.energy_error});
+  energy_.append(row.step, energy);
+  return row;
+}
+
+void Results::sync() {
+  history_.sync();
+  energy_.sync();
+}
+
+}  // namespace ligament

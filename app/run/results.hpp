@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "build/build_simulation.hpp"
+#include "io/csv_table.hpp"
+#include "run/field_output.hpp"
+#include "run/run_directory.hpp"
+
+namespace ligament {
+
+/// One row of history.csv, for the live table as well.
+struct HistoryRow {
+  std::int64_t step = 0;
+  double time = 0.0;
+  std::vector<double> gauges;
+  std::size_t n_broken = 0;
+  double unbalanced_force_ratio = 0.0;
+  double energy_error = 0.0;
+};
+
+/// The result files of a run that grow with it: history.csv, energy.csv and fields/.
+class Results {
+ public:
+  /// Starts new files.
+  Results(const RunDirectory& directory, const BuiltSimulation& built);
+  /// Goes on with the files of a run that is resumed at this step; what they hold beyond it is dropped.
+  Results(const RunDirectory& directory, const BuiltSimulation& built, std::int64_t resumed_step);
+
+  /// Audits the energy and writes a row of both tables.
+  HistoryRow write_row(BuiltSimulation& built);
+  void write_fields(const Simulation& simulation) { fields_.write(simulation.model(), simulation.state()); }
+  /// Brings the rows to the disk, before a checkpoint relies on them.
+  void sync();
+
+ private:
+  CsvTable history_;
+  CsvTable energy_;
+  FieldOutput fields_;
+};
+
+}  // namespace ligament

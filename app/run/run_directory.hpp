@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "case/case.hpp"
+
+namespace ligament {
+
+/// The folder of a run: its case, what identifies it, and its results.
+class RunDirectory {
+ public:
+  /// Makes the folder with the case and run.json in it; it appears under its name when it is complete. `overwrite`
+  /// removes a run that is there. Throws InputError if there is one and it does not, or if something else is there;
+  /// FileError if the folder cannot be made.
+  static RunDirectory create(const std::filesystem::path& path, const Case& input,
+                             const std::vector<std::string>& overrides, const std::filesystem::path& checkpoint_parent,
+                             bool overwrite);
+
+  /// Opens the folder of an earlier run. Throws InputError if it is none.
+  static RunDirectory open(const std::filesystem::path& path);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
+  [[nodiscard]] const std::string& run_id() const { return run_id_; }
+  [[nodiscard]] const std::filesystem::path& checkpoint_folder() const { return checkpoint_folder_; }
+  /// The --set of the first run.
+  [[nodiscard]] const std::vector<std::string>& overrides() const { return overrides_; }
+  /// The case file as it was named.
+  [[nodiscard]] const std::string& case_name() const { return case_name_; }
+
+ private:
+  std::filesystem::path path_;
+  std::string run_id_;
+  std::string case_name_;
+  std::filesystem::path checkpoint_folder_;
+  std::vector<std::string> overrides_;
+};
+
+}  // namespace ligament

@@ -1,0 +1,63 @@
+#include "run/run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/fields.hpp"
+
+namespace ligament {
+namespace {
+
+std::size_t count_broken(const ContactTable& contacts) {
+  return static_cast<std::size_t>(std::count(contacts.bond.begin(), contacts.bond.end(), BondState::broken));
+}
+
+std::string describe_time_step(const Case& input, const Simulation& simulation) {
+  const double time_step = simulation.state().clock.time_step;
+  if (input.solver.time_step.masses == Masses::scaled) {
+    return fmt::format("Δt = {:.6g} s of pseudo-time, masses scaled to it; damping: {}", time_step,
+                       input.solver.method);
+  }
+  return fmt::format("Δt = {:.6g} s, real masses, limited by {}; damping: {}", time_step, simulation.limiting_body(),
+                     input.solver.method);
+}
+
+}  // namespace
+
+ModelSizes model_sizes(const Model& model) {
+  return {model.particles.size(), model.particle_pairs.size(), model.facet_pairs.size() + model.corner_pairs.size(),
+          model.elements.size(), model.nodes.size()};
+}
+
+std::size_t count_broken(const State& state) {
+  return count_broken(state.particle_contacts) + count_broken(state.facet_contacts) +
+         count_broken(state.corner_contacts);
+}
+
+std::vector<std::string> describe(const Case& input, const BuiltSimulation& built) {
+  const ModelSizes sizes = model_sizes(built.simulation.model());
+  std::vector<std::string> lines;
+  if (!input.title.empty()) lines.push_back(input.title);
+  lines.push_back(fmt::format("{} particles, {} contacts, {} edge contacts, {} elements, {} nodes", sizes.n_particles,
+                              sizes.n_contacts, sizes.n_edge_contacts, sizes.n_elements, sizes.n_nodes));
+  for (const auto& [zone, entries] : built.reports) {
+    std::string line = fmt::format("zone {}:", zone);
+    for (const auto& [name, value] : entries) line += fmt::format(" {} = {:.6g}", name, value);
+    lines.push_back(std::move(line));
+  }
+  lines.push_back(describe_time_step(input, built.simulation));
+  return lines;
+}
+
+std::size_t memory_of(const Model& model, const State& state) {
+  std::size_t bytes = model.elements.size() * (sizeof(ElementStiffness) + sizeof(std::array<Index, 4>)) +
+                      model.particles.size() * (3 * sizeof(Vector) + 2 * sizeof(double)) +
+                      model.nodes.size() * (2 * sizeof(Vector) + sizeof(double));
+  visit_fields(state, [&]<class T>(const std::string&, const T& field, FieldRole) {
+    if constexpr (requires { field.data(); }) bytes += field.size() * sizeof(field[0]);
+  });
+  return bytes;
+}
+
+}  // namespace ligament

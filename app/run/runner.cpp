@@ -1,0 +1,176 @@
+#include "run/runner.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "run/run_report.hpp"
+#include "run/signals.hpp"
+#include "run/summary.hpp"
+
+namespace ligament {
+namespace {
+
+/// Every step is checked where the case asks for it, and always in audit builds.
+bool audits_every_step(const Case& input) {
+#ifdef LIGAMENT_AUDIT
+  static_cast<void>(input);
+  return true;
+#else
+  return input.audit.every_step;
+#endif
+}
+
+ExitCode exit_code_of(Ending ending) {
+  switch (ending) {
+    case Ending::not_converged:
+      return ExitCode::not_converged;
+    case Ending::diverged:
+      return ExitCode::diverged;
+    case Ending::interrupted:
+      return ExitCode::interrupted;
+    case Ending::terminated:
+      return ExitCode::terminated;
+    default:
+      return ExitCode::done;
+  }
+}
+
+/// The run is at an end of its own; it was not merely stopped.
+bool is_final(Ending ending) {
+  return ending == Ending::converged || ending == Ending::completed || ending == Ending::not_converged;
+}
+
+}  // namespace
+
+Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& directory, Console& console)
+    : input_(input),
+      built_(built),
+      directory_(directory),
+      console_(console),
+      checkpoints_(directory, input),
+      table_(input, built.gauges, console) {
+  if (audits_every_step(input)) step_audit_.emplace(built.simulation);
+}
+
+ExitCode Runner::start() {
+  results_.emplace(directory_, built_);
+  table_.show_header();
+  table_.show(results_->write_row(built_));
+  results_->write_fields(built_.simulation);
+  save_checkpoint(false);
+  return go_on();
+}
+
+ExitCode Runner::resume() {
+  const auto step = checkpoints_.restore(built_.simulation, [&](const auto& path, const std::string& reason) {
+    console_.warning(fmt::format("{}: {}; taking an earlier one", path.string(), reason));
+  });
+  if (!step) {
+    console_.line("no checkpoint yet: starting from step 0");
+    return start();
+  }
+  console_.line(fmt::format("resuming from step {}", *step));
+  results_.emplace(directory_, built_, *step);
+  if (step_audit_) step_audit_.emplace(built_.simulation);
+  table_.show_header();
+  return go_on();
+}
+
+ExitCode Runner::go_on() {
+  // A run that had already ended ends again, at the same step, and writes nothing anew but its summary.
+  std::optional<Ending> ending = find_ending();
+  try {
+    while (!ending) {
+      built_.simulation.step();
+      if (step_audit_) step_audit_->observe(built_.simulation);
+      ending = find_ending();
+      handle_boundary(ending);
+    }
+  } catch (const DivergenceError& error) {
+    divergence_ = error.what();
+    ending = Ending::diverged;
+  }
+  return finish(*ending);
+}
+
+std::optional<Ending> Runner::find_ending() {
+  if (input_.solver.unbalanced_force_ratio && is_due(input_.solver.check_every)) {
+    const Unbalance unbalance = built_.simulation.unbalance();
+    if (!std::isfinite(unbalance.largest_resultant)) check_finite();
+    if (unbalance.ratio() <= *input_.solver.unbalanced_force_ratio) return Ending::converged;
+  }
+  if (step() >= input_.solver.max_steps) {
+    return input_.solver.unbalanced_force_ratio ? Ending::not_converged : Ending::completed;
+  }
+  switch (take_request()) {
+    case Request::stop_by_interrupt:
+      return Ending::interrupted;
+    case Request::stop_by_termination:
+      return Ending::terminated;
+    case Request::checkpoint:
+      wants_checkpoint_ = true;
+      break;
+    case Request::none:
+      break;
+  }
+  if (stop_step_ && step() >= *stop_step_) return Ending::stopped;
+  return std::nullopt;
+}
+
+void Runner::handle_boundary(std::optional<Ending> ending) {
+  const bool is_end = ending && is_final(*ending);
+  if (is_due(input_.output.every) || is_end) {
+    check_finite();
+    table_.show(results_->write_row(built_));
+  }
+  const bool fields_are_due = input_.output.fields_every && is_due(*input_.output.fields_every);
+  if (fields_are_due || is_end) results_->write_fields(built_.simulation);
+  // Last, so that it stands for everything this boundary has written.
+  if (is_due(input_.checkpoint.every) || ending || wants_checkpoint_) {
+    save_checkpoint(ending.has_value() || wants_checkpoint_);
+    wants_checkpoint_ = false;
+  }
+  table_.show_progress(step());
+}
+
+void Runner::save_checkpoint(bool is_asked_for) {
+  check_finite();
+  try {
+    results_->sync();
+    last_checkpoint_ = checkpoints_.save(built_.simulation.state());
+    if (is_asked_for) console_.line(fmt::format("checkpoint: {}", last_checkpoint_.string()));
+  } catch (const FileError& error) {
+    // The run is worth more than one checkpoint: the next one may find room again.
+    console_.warning(fmt::format("step {}: no checkpoint written: {}", step(), error.what()));
+  }
+}
+
+void Runner::check_finite() {
+  const std::string body = find_infinite_body(built_.simulation.model(), built_.simulation.state());
+  if (body.empty()) return;
+  throw DivergenceError(fmt::format("step {}: {} has a number that is not finite (time step {} s, limited by {})",
+                                    step(), body, built_.simulation.state().clock.time_step,
+                                    built_.simulation.limiting_body()));
+}
+
+ExitCode Runner::finish(Ending ending) {
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  RunSummary summary{.ending = ending, .wall_time = seconds, .divergence = divergence_};
+  if (step_audit_) {
+    summary.motion_error = step_audit_->motion_error();
+    summary.transfer_error = step_audit_->transfer_error();
+  }
+  const bool audit_passed = write_summary(input_, built_, directory_, summary);
+  console_.line(describe_ending(input_, built_, summary, audit_passed));
+  if (ending == Ending::diverged) {
+    const std::string kept = last_checkpoint_.empty() ? "none" : last_checkpoint_.string();
+    throw DivergenceError(fmt::format("{}; last good checkpoint: {}", divergence_, kept));
+  }
+  console_.line(fmt::format("results: {}", directory_.path().string()));
+  const ExitCode code = exit_code_of(ending);
+  return code == ExitCode::done && !audit_passed ? ExitCode::audit_failed : code;
+}
+
+}  // namespace ligament

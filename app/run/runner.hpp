@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "audit/step_audit.hpp"
+#include "build/build_simulation.hpp"
+#include "core/error.hpp"
+#include "run/checkpoints.hpp"
+#include "run/console.hpp"
+#include "run/ending.hpp"
+#include "run/live_table.hpp"
+#include "run/results.hpp"
+
+namespace ligament {
+
+/// Takes a simulation through its steps: rows, fields, checkpoints and audits at step boundaries, until it has
+/// converged, come to its last step or been stopped.
+class Runner {
+ public:
+  Runner(const Case& input, BuiltSimulation& built, const RunDirectory& directory, Console& console);
+
+  /// Where the run is to stop on request, besides its own end.
+  void stop_at(std::optional<std::int64_t> step) { stop_step_ = step; }
+
+  /// From step 0. Returns what goes to the shell.
+  ExitCode start();
+  /// From the newest good checkpoint, or from step 0 if there is none.
+  ExitCode resume();
+
+ private:
+  ExitCode go_on();
+  /// Why the run ends at this boundary, if it does.
+  std::optional<Ending> find_ending();
+  void handle_boundary(std::optional<Ending> ending);
+  void save_checkpoint(bool is_asked_for);
+  void check_finite();
+  ExitCode finish(Ending ending);
+  [[nodiscard]] bool is_due(std::int64_t every) const { return step() % every == 0; }
+  [[nodiscard]] std::int64_t step() const { return built_.simulation.state().clock.step; }
+
+  const Case& input_;
+  BuiltSimulation& built_;
+  const RunDirectory& directory_;
+  Console& console_;
+  Checkpoints checkpoints_;
+  std::optional<Results> results_;
+  std::optional<StepAudit> step_audit_;
+  LiveTable table_;
+  std::optional<std::int64_t> stop_step_;
+  std::filesystem::path last_checkpoint_;
+  bool wants_checkpoint_ = false;  ///< asked for by a signal
+  std::string divergence_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ligament

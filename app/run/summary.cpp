@@ -1,0 +1,107 @@
+#include "run/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/state_hash.hpp"
+#include "io/atomic_file.hpp"
+#include "run/run_report.hpp"
+#include "version.hpp"
+
+namespace ligament {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* name_of(Ending ending) {
+  switch (ending) {
+    case Ending::converged:
+      return "converged";
+    case Ending::completed:
+      return "completed";
+    case Ending::stopped:
+      return "stopped";
+    case Ending::interrupted:
+    case Ending::terminated:
+      return "interrupted";
+    case Ending::not_converged:
+      return "not_converged";
+    case Ending::diverged:
+      return "diverged";
+  }
+  return "";
+}
+
+double largest_error(const BuiltSimulation& built, const RunSummary& summary) {
+  return std::max({built.simulation.state().ledger.largest_error, summary.motion_error.value_or(0.0),
+                   summary.transfer_error.value_or(0.0)});
+}
+
+Json packings(const BuiltSimulation& built) {
+  Json zones = Json::object();
+  for (const auto& [zone, entries] : built.reports) {
+    for (const auto& [name, value] : entries) {
+      const bool is_count = name.rfind("n_", 0) == 0;
+      zones[zone][name] = is_count ? Json(static_cast<std::int64_t>(value)) : Json(value);
+    }
+  }
+  return zones;
+}
+
+/// The values of the gauges at the end.
+Json results(const BuiltSimulation& built) {
+  Json values = Json::object();
+  for (const Gauge& gauge : built.gauges) {
+    values[gauge.column] = gauge.value(built.simulation.model(), built.simulation.state());
+  }
+  return values;
+}
+
+}  // namespace
+
+bool write_summary(const Case& input, const BuiltSimulation& built, const RunDirectory& directory,
+                   const RunSummary& summary) {
+  const Simulation& simulation = built.simulation;
+  const ModelSizes sizes = model_sizes(simulation.model());
+  const Unbalance unbalance = simulation.unbalance();
+  const double error = largest_error(built, summary);
+  // An error that is not a number has not passed.
+  const bool passed = error <= input.audit.tolerance && summary.ending != Ending::diverged;
+  Json json{{"version", program_version()},
+            {"case", input.file.file_name()},
+            {"case_hash", case_hash(input)},
+            {"ended", name_of(summary.ending)},
+            {"steps", simulation.state().clock.step},
+            {"wall_time_s", summary.wall_time},
+            {"threads", 1},
+            {"n_particles", sizes.n_particles},
+            {"n_contacts", sizes.n_contacts},
+            {"n_edge_contacts", sizes.n_edge_contacts},
+            {"n_elements", sizes.n_elements},
+            {"n_broken", count_broken(simulation.state())},
+            {"unbalanced_force_ratio", unbalance.ratio()},
+            {"largest_resultant_N", unbalance.largest_resultant},
+            {"mean_force_N", unbalance.mean_force},
+            {"energy_error", error},
+            {"audit_tolerance", input.audit.tolerance},
+            {"audit", passed ? "passed" : "failed"},
+            {"final_state_hash", state_hash(simulation.state())}};
+  if (summary.motion_error) json["motion_error"] = *summary.motion_error;
+  if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;
+  if (!summary.divergence.empty()) json["divergence"] = summary.divergence;
+  if (!built.reports.empty()) json["packing"] = packings(built);
+  json["results"] = results(built);
+  write_atomically(directory.file("summary.json"), json.dump(2) + "\n");
+  return passed;
+}
+
+std::string describe_ending(const Case& input, const BuiltSimulation& built, const RunSummary& summary,
+                            bool audit_passed) {
+  return fmt::format("{} at step {} after {:.2f} s; energy audit {} (error {:.2g}, tolerance {:.2g})",
+                     name_of(summary.ending), built.simulation.state().clock.step, summary.wall_time,
+                     audit_passed ? "passed" : "failed", largest_error(built, summary), input.audit.tolerance);
+}
+
+}  // namespace ligament

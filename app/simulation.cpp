@@ -1,0 +1,146 @@
+#include "simulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "integrator/time_step.hpp"
+
+namespace ligament {
+namespace {
+
+void resize(TranslationState& bodies, std::size_t count) {
+  for (Field<Vector>* field :
+       {&bodies.displacement, &bodies.increment, &bodies.velocity_before, &bodies.velocity, &bodies.force}) {
+    field->assign(count, Vector{});
+  }
+  bodies.mass.assign(count, 0.0);
+}
+
+void resize(RotationState& bodies, std::size_t count) {
+  for (Field<double>* field :
+       {&bodies.rotation, &bodies.increment, &bodies.spin_before, &bodies.spin, &bodies.moment, &bodies.inertia}) {
+    field->assign(count, 0.0);
+  }
+}
+
+void clear_forces(State& state) {
+  std::fill(state.particles.translation.force.begin(), state.particles.translation.force.end(), Vector{});
+  std::fill(state.particles.rotation.moment.begin(), state.particles.rotation.moment.end(), 0.0);
+  std::fill(state.nodes.translation.force.begin(), state.nodes.translation.force.end(), Vector{});
+}
+
+void merge(std::vector<EnergyTerm>& lines, const std::vector<EnergyTerm>& more) {
+  for (const EnergyTerm& term : more) {
+    const auto line =
+        std::find_if(lines.begin(), lines.end(), [&](const EnergyTerm& known) { return known.name == term.name; });
+    if (line == lines.end()) {
+      lines.push_back(term);
+    } else {
+      line->value += term.value;
+    }
+  }
+}
+
+}  // namespace
+
+Simulation::Simulation(Model model, Modules modules, TimeStepChoice time_step)
+    : model_(std::move(model)), modules_(std::move(modules)), choice_(time_step) {
+  prepare_state();
+  choose_time_step();
+  add_forces();
+  modules_.integrator->update_velocities(model_, state_);
+  for (auto& constraint : modules_.constraints) constraint->apply(model_, state_);
+  book_work();
+}
+
+void Simulation::step() {
+  modules_.integrator->update_positions(model_, state_);  // x(n) = x(n-1) + v(n-½) Δt
+  state_.clock.advance();
+  if (modules_.contact_detector->update(model_, state_)) check_time_step();  // update set of contacts
+  add_forces();                                                              // force-displacement law, Eqs (3)-(28)
+  modules_.integrator->update_velocities(model_, state_);                    // law of motion, Eqs (1)-(2): v(n+½)
+  for (auto& constraint : modules_.constraints) constraint->apply(model_, state_);
+  book_work();
+  for (auto& observer : observers_) observer->observe(model_, state_);
+}
+
+double Simulation::audit() {
+  EnergyBalance balance;
+  for (const EnergyTerm& term : energies()) balance.add(term);
+  return state_.ledger.audit(balance);
+}
+
+std::vector<EnergyTerm> Simulation::energies() const {
+  std::vector<EnergyTerm> lines = modules_.integrator->energies(model_, state_);
+  for (const auto& provider : modules_.force_providers) merge(lines, provider->energies(model_, state_));
+  merge(lines, modules_.contact_detector->energies(model_, state_));
+  for (const auto& constraint : modules_.constraints) merge(lines, constraint->energies(model_, state_));
+  return lines;
+}
+
+Unbalance Simulation::unbalance() const {
+  ForceMagnitudes magnitudes;
+  for (const auto& provider : modules_.force_providers) magnitudes += provider->internal_forces(model_, state_);
+  return measure_unbalance(model_, state_, magnitudes);
+}
+
+StiffnessBounds Simulation::stiffness_bounds() const {
+  StiffnessBounds bounds(model_.particles.size(), model_.nodes.size());
+  for (const auto& provider : modules_.force_providers) provider->add_stiffness(model_, state_, bounds);
+  return bounds;
+}
+
+void Simulation::prepare_state() {
+  resize(state_.particles.translation, model_.particles.size());
+  resize(state_.particles.rotation, model_.particles.size());
+  resize(state_.nodes.translation, model_.nodes.size());
+  modules_.contact_detector->bond(model_, state_);
+}
+
+void Simulation::choose_time_step() {
+  const StiffnessBounds bounds = stiffness_bounds();
+  Clock& clock = state_.clock;
+  if (choice_.masses == Masses::scaled) {
+    clock.time_step = choice_.time_step;
+    use_scaled_masses(model_, state_, bounds, choice_.safety);
+    limiting_body_ = critical_time_step(model_, state_, bounds).limiting_body;
+  } else {
+    use_real_masses(model_, state_);
+    const CriticalTimeStep critical = critical_time_step(model_, state_, bounds);
+    if (!std::isfinite(critical.time_step) && !(choice_.time_step > 0.0)) {
+      throw InputError("nothing has stiffness, so that no stable time step follows; give 'time_step'");
+    }
+    clock.time_step = choice_.factor * critical.time_step;
+    if (choice_.time_step > 0.0) clock.time_step = std::min(clock.time_step, choice_.time_step);
+    limiting_body_ = critical.limiting_body;
+  }
+  clock.time_step_before = clock.time_step;
+}
+
+void Simulation::check_time_step() {
+  const StiffnessBounds bounds = stiffness_bounds();
+  if (choice_.masses == Masses::scaled) {
+    const double energy = raise_scaled_masses(model_, state_, bounds, choice_.safety);
+    state_.ledger[state_.ledger.open("step_change")].add(energy);
+    return;
+  }
+  const CriticalTimeStep critical = critical_time_step(model_, state_, bounds);
+  if (state_.clock.time_step <= critical.time_step) return;
+  state_.clock.time_step = choice_.factor * critical.time_step;
+  limiting_body_ = critical.limiting_body;
+}
+
+void Simulation::add_forces() {
+  clear_forces(state_);
+  for (auto& provider : modules_.force_providers) provider->add_forces(model_, state_);
+}
+
+void Simulation::book_work() {
+  modules_.integrator->book_work(model_, state_);
+  for (auto& provider : modules_.force_providers) provider->book_work(model_, state_);
+  modules_.contact_detector->book_work(model_, state_);
+  for (auto& constraint : modules_.constraints) constraint->book_work(model_, state_);
+}
+
+}  // namespace ligament

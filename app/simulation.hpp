@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/contact_detector.hpp"
+#include "core/integrator.hpp"
+#include "integrator/convergence.hpp"
+
+namespace ligament {
+
+/// Whether masses are the bodies' own or scaled so that a given time step is stable.
+enum class Masses { real, scaled };
+
+/// How masses and time step are chosen.
+struct TimeStepChoice {
+  Masses masses = Masses::scaled;
+  double safety = 1.1;     ///< scaled masses over those that the bound asks for
+  double factor = 0.9;     ///< time step over the critical one, real masses
+  double time_step = 1.0;  ///< of scaled masses; of real masses the largest allowed, if positive (s)
+};
+
+/// What a simulation is made of; build_simulation fills it.
+struct Modules {
+  std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<ContactDetector> contact_detector;
+  std::vector<std::unique_ptr<ForceProvider>> force_providers;
+  std::vector<std::unique_ptr<Constraint>> constraints;
+};
+
+/// A model in motion: owns model, state and modules.
+class Simulation {
+ public:
+  /// Bonds the contacts, sets masses and time step, and brings the state at rest to step 0.
+  Simulation(Model model, Modules modules, TimeStepChoice time_step);
+
+  /// From n to n+1: the paper's cycle (Fig. 1).
+  void step();
+
+  /// Takes the balance of time n into the ledger; returns its relative error.
+  double audit();
+
+  /// All lines of the ledger at time n; lines of one name are summed.
+  [[nodiscard]] std::vector<EnergyTerm> energies() const;
+  [[nodiscard]] Unbalance unbalance() const;
+  /// Bound of the stiffness that each body feels.
+  [[nodiscard]] StiffnessBounds stiffness_bounds() const;
+
+  void add_observer(std::unique_ptr<Observer> observer) { observers_.push_back(std::move(observer)); }
+
+  [[nodiscard]] const Model& model() const { return model_; }
+  [[nodiscard]] const State& state() const { return state_; }
+  /// Replaces the state by one read from a checkpoint of the same case.
+  void restore(State state) { state_ = std::move(state); }
+  [[nodiscard]] const std::string& limiting_body() const { return limiting_body_; }
+
+ private:
+  void prepare_state();
+  void choose_time_step();
+  void check_time_step();
+  void add_forces();
+  void book_work();
+
+  Model model_;
+  State state_;
+  Modules modules_;
+  TimeStepChoice choice_;
+  std::string limiting_body_;
+  std::vector<std::unique_ptr<Observer>> observers_;
+};
+
+}  // namespace ligament

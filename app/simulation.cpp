@@ -62,7 +62,6 @@ void Simulation::step() {
   modules_.integrator->update_velocities(model_, state_);                    // law of motion, Eqs (1)-(2): v(n+½)
   for (auto& constraint : modules_.constraints) constraint->apply(model_, state_);
   book_work();
-  for (auto& observer : observers_) observer->observe(model_, state_);
 }
 
 double Simulation::audit() {

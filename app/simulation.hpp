@@ -46,8 +46,6 @@ class Simulation {
   /// Bound of the stiffness that each body feels.
   [[nodiscard]] StiffnessBounds stiffness_bounds() const;
 
-  void add_observer(std::unique_ptr<Observer> observer) { observers_.push_back(std::move(observer)); }
-
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }
   /// Replaces the state by one read from a checkpoint of the same case.
@@ -66,7 +64,6 @@ class Simulation {
   Modules modules_;
   TimeStepChoice choice_;
   std::string limiting_body_;
-  std::vector<std::unique_ptr<Observer>> observers_;
 };
 
 }  // namespace ligament

@@ -68,7 +68,8 @@ std::vector<Gauge> build_gauges(Case& input, const Model& model) {
       const WatchedBody body = find_body(input, model, table.reaction, view, "reaction");
       if (body.row >= 0 && component(body.free(model)[body.row], body.axis) != 0.0) {
         input.file.add_error(input.file.position(view, "reaction"),
-                             fmt::format("nothing holds or moves this body along {} {}: it has no reaction",
+                             fmt::format("nothing holds or moves this body along {} {}: it has no reaction; take one "
+                                         "of a [[support]] or [[motion]]",
                                          table.reaction.direction, view.where()));
       }
       gauges.push_back(reaction_gauge(table.name, body));

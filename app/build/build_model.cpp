@@ -102,7 +102,7 @@ BuiltModel build_model(Case& input) {
       add_zone(zone, packing, built.model);
       built.reports.push_back({zone.name, std::move(packing.report)});
     } catch (const InputError& error) {
-      input.file.add_error(input.file.position(view), fmt::format("{} {}", error.what(), view.where()));
+      input.file.add_error(input.file.position(view), fmt::format("zone '{}': {}", zone.name, error.what()));
     }
   }
   input.file.throw_collected_errors();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "build/build_conditions.hpp"
 #include "build/build_model.hpp"
 #include "case/case.hpp"
 #include "gauge.hpp"
@@ -12,6 +13,8 @@ struct BuiltSimulation {
   Simulation simulation;
   std::vector<Gauge> gauges;
   std::vector<ZoneReport> reports;
+  std::vector<PrescribedFreedom> freedoms;  ///< held and moved
+  double end_of_loading = 0.0;              ///< see Conditions
   std::vector<std::string> warnings;
 };
 

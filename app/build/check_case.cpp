@@ -22,7 +22,8 @@ void check_material_name(Case& input, const TableView& view, const char* key, co
   std::vector<std::string> names;
   for (const auto& material : input.materials) names.push_back(material.table.name);
   input.file.add_error(input.file.position(view, key),
-                       fmt::format("there is no material '{}' {}{}", name, view.where(), did_you_mean(name, names)));
+                       fmt::format("there is no material '{}' {} (there are: {}){}", name, view.where(),
+                                   names.empty() ? "none" : quoted_list(names), did_you_mean(name, names)));
 }
 
 /// A material whose contacts take their stiffness from Eq. (34).
@@ -40,7 +41,7 @@ void check_formula(Case& input, const TableView& view, const std::string& name) 
                   limit, material->poisson_ratio, place->view.where(), view.where()));
 }
 
-void check_density(Case& input, const TableView& view, const std::string& name) {
+void check_density(Case& input, const std::string& name) {
   const MaterialTable* material = find_material(input, name);
   const bool has_gravity = input.problem.gravity != std::array<double, 2>{};
   const bool is_needed = input.solver.time_step.masses == Masses::real || has_gravity;
@@ -48,12 +49,16 @@ void check_density(Case& input, const TableView& view, const std::string& name) 
   const auto place = std::find_if(input.materials.begin(), input.materials.end(),
                                   [&](const auto& other) { return other.table.name == name; });
   input.file.add_error(input.file.position(place->view),
-                       fmt::format("missing key 'density' {} (used {}): {} needs it", place->view.where(), view.where(),
+                       fmt::format("missing key 'density' {}: {} needs it", place->view.where(),
                                    has_gravity ? "gravity" : "masses = \"real\""));
 }
 
+bool ascend(const std::vector<double>& lines) {
+  return std::adjacent_find(lines.begin(), lines.end(), std::greater_equal<>()) == lines.end();
+}
+
 void check_lines(Case& input, const char* key, const std::vector<double>& lines) {
-  if (std::adjacent_find(lines.begin(), lines.end(), std::greater_equal<>()) == lines.end()) return;
+  if (ascend(lines)) return;
   const TableView& view = input.mesh->view;
   input.file.add_error(input.file.position(view, key), fmt::format("'{}' must ascend {}", key, view.where()));
 }
@@ -64,7 +69,7 @@ void check_mesh(Case& input) {
   check_lines(input, "x", mesh.x);
   check_lines(input, "y", mesh.y);
   check_material_name(input, input.mesh->view, "material", mesh.material);
-  check_density(input, input.mesh->view, mesh.material);
+  check_density(input, mesh.material);
 }
 
 bool overlap(const ZoneTable& a, const ZoneTable& b) {
@@ -81,8 +86,9 @@ void check_zone_place(Case& input, const Read<ZoneTable>& zone) {
   if (!(table.from[0] < table.to[0] && table.from[1] < table.to[1])) {
     input.file.add_error(input.file.position(view, "to"),
                          fmt::format("'to' must lie above and right of 'from' {}", view.where()));
-  } else if (input.mesh && !is_block_of_grid({input.mesh->table.x, input.mesh->table.y},
-                                             {to_vector(table.from), to_vector(table.to)})) {
+  } else if (input.mesh && ascend(input.mesh->table.x) && ascend(input.mesh->table.y) &&
+             !is_block_of_grid({input.mesh->table.x, input.mesh->table.y},
+                               {to_vector(table.from), to_vector(table.to)})) {
     input.file.add_error(
         input.file.position(view, "from"),
         fmt::format("the zone does not replace whole elements {}: its border must follow lines of the mesh",
@@ -99,11 +105,12 @@ void check_zones(Case& input) {
     if (table.interface_material) check_material_name(input, view, "interface_material", interface_material);
     check_formula(input, view, table.material);
     if (input.mesh) check_formula(input, view, interface_material);
-    check_density(input, view, table.material);
+    check_density(input, table.material);
     for (std::size_t j = 0; j < i; ++j) {
       if (!overlap(input.zones[j].table, table)) continue;
       input.file.add_error(input.file.position(view, "from"),
-                           fmt::format("zone '{}' overlaps zone '{}'", table.name, input.zones[j].table.name));
+                           fmt::format("zone '{}' overlaps zone '{}': zones may share a border, no more", table.name,
+                                       input.zones[j].table.name));
     }
   }
 }

@@ -39,6 +39,11 @@ void add_by_number(const Field<Index>& ids, const std::vector<std::int64_t>& num
   }
 }
 
+void sort_and_drop_repeats(std::vector<Index>& rows) {
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+}
+
 }  // namespace
 
 Index row_of_id(const Field<Index>& ids, std::int64_t id) {
@@ -56,13 +61,18 @@ SelectedBodies select_bodies(const Model& model, const BodySelection& selection,
   if (by_place) {
     bodies.nodes = nodes_at(model, selection);
     if (bodies.nodes.empty()) {
-      file.add_error(file.position(view, "at"), fmt::format("there is no node at this place {}", view.where()));
+      file.add_error(
+          file.position(view, "at"),
+          fmt::format(
+              "there is no node at this place {}: nodes are where lines of the mesh cross and no zone has replaced "
+              "them",
+              view.where()));
     }
   }
   add_by_number(model.nodes.id, selection.nodes, "node", "nodes", file, view, bodies.nodes);
   add_by_number(model.particles.id, selection.particles, "particle", "particles", file, view, bodies.particles);
-  std::sort(bodies.nodes.begin(), bodies.nodes.end());
-  bodies.nodes.erase(std::unique(bodies.nodes.begin(), bodies.nodes.end()), bodies.nodes.end());
+  sort_and_drop_repeats(bodies.nodes);
+  sort_and_drop_repeats(bodies.particles);
   return bodies;
 }
 

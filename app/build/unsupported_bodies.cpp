@@ -114,6 +114,9 @@ std::map<std::size_t, Body> collect_bodies(const Model& model, const State& stat
   return bodies;
 }
 
+/// What a list of thousands of loose particles is cut to.
+constexpr std::size_t most_messages = 10;
+
 /// The motions that none of the supports, alone or together, forbid.
 std::string free_motions(const Body& body) {
   constexpr std::array<const char*, n_motions> names{"along x", "along y", "rotation"};
@@ -132,10 +135,16 @@ std::string free_motions(const Body& body) {
 
 std::vector<std::string> find_unsupported_bodies(const Model& model, const State& state) {
   std::vector<std::string> messages;
+  std::size_t n_unsupported = 0;
   for (const auto& [root, body] : collect_bodies(model, state)) {
-    if (rank(body.held) == n_motions) continue;
-    messages.push_back(fmt::format("the body of {} nodes and {} particles with {} is free to move as a whole ({})",
-                                   body.n_nodes, body.n_particles, body.example, free_motions(body)));
+    if (rank(body.held) == n_motions || ++n_unsupported > most_messages) continue;
+    messages.push_back(
+        fmt::format("the body of {} nodes and {} particles with {} is free to move as a whole ({}): hold it by a "
+                    "[[support]]; free flight needs method = \"undamped\"",
+                    body.n_nodes, body.n_particles, body.example, free_motions(body)));
+  }
+  if (n_unsupported > most_messages) {
+    messages.push_back(fmt::format("{} more bodies are free to move", n_unsupported - most_messages));
   }
   return messages;
 }

@@ -39,7 +39,7 @@ ExitCode audit(const std::string& path) {
 void add_audit_command(CLI::App& app, Action& action) {
   auto path = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("audit", "the energy ledger of a run and its verdict");
-  command->add_option("run_directory", *path, "directory of the run")->required();
+  command->add_option("run_directory", *path, "directory of the run")->required()->type_name("DIR");
   command->callback([path, &action] { action = [path] { return audit(*path); }; });
 }
 

@@ -30,8 +30,9 @@ ExitCode check(const CheckOptions& options) {
 void add_check_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "build everything, run nothing");
-  command->add_option("case", options->case_path, "case file (TOML)")->required();
+  command->add_option("case", options->case_path, "case file (TOML)")->required()->type_name("FILE");
   command->add_option("--set", options->overrides, "key=value instead of what the case says; repeatable")
+      ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
   command->callback([options, &action] { action = [options] { return check(*options); }; });

@@ -45,8 +45,8 @@ ExitCode compare(const std::string& path_a, const std::string& path_b) {
 void add_compare_command(CLI::App& app, Action& action) {
   auto paths = std::make_shared<std::pair<std::string, std::string>>();
   CLI::App* command = app.add_subcommand("compare", "first difference between two runs or checkpoints");
-  command->add_option("a", paths->first, "run directory or checkpoint")->required();
-  command->add_option("b", paths->second, "run directory or checkpoint")->required();
+  command->add_option("a", paths->first, "run directory or checkpoint")->required()->type_name("PATH");
+  command->add_option("b", paths->second, "run directory or checkpoint")->required()->type_name("PATH");
   command->callback([paths, &action] { action = [paths] { return compare(paths->first, paths->second); }; });
 }
 

@@ -22,7 +22,9 @@ void add_documentation_commands(CLI::App& app, Action& action) {
 
   auto key = std::make_shared<std::string>();
   CLI::App* explain_command = app.add_subcommand("explain", "what a key of the case file means");
-  explain_command->add_option("key", *key, "such as zone.radius, solver or young_modulus")->required();
+  explain_command->add_option("key", *key, "such as zone.radius, solver or young_modulus")
+      ->required()
+      ->type_name("KEY");
   explain_command->callback([key, &action] {
     action = [key] {
       fmt::print("{}\n", explain(describe_case(), *key));

@@ -32,7 +32,7 @@ ExitCode info(const std::filesystem::path& path) {
 void add_info_command(CLI::App& app, Action& action) {
   auto path = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("info", "what a checkpoint or field file is and where it came from");
-  command->add_option("file", *path, "checkpoint (.ckpt) or field file (.hdf)")->required();
+  command->add_option("file", *path, "checkpoint (.ckpt) or field file (.hdf)")->required()->type_name("FILE");
   command->callback([path, &action] { action = [path] { return info(*path); }; });
 }
 

@@ -33,6 +33,21 @@ void show_banner(Console& console, const Case& input, const BuiltSimulation& bui
   for (const std::string& warning : built.warnings) console.warning(warning);
 }
 
+/// The log of a run tells how it failed, too.
+ExitCode with_log(Console& console, const RunDirectory& directory, const Action& action) {
+  try {
+    return action();
+  } catch (const FileError& error) {
+    const std::string text =
+        fmt::format("{}\nwhen that is mended, 'ligament resume {}' goes on", error.what(), directory.path().string());
+    console.log(text);
+    throw FileError(text);
+  } catch (const Error& error) {
+    console.log(error.what());
+    throw;
+  }
+}
+
 ExitCode run(const RunOptions& options) {
   const std::filesystem::path case_path = options.case_path;
   const std::filesystem::path output = options.output.empty() ? std::filesystem::path("results") / case_path.stem()
@@ -40,15 +55,15 @@ ExitCode run(const RunOptions& options) {
   Case input = read_case(case_path, options.overrides);
   // Everything that can be wrong with the input is known before anything is written.
   BuiltSimulation built = build_simulation(input);
+  install_signal_handlers();
   const RunDirectory directory =
       RunDirectory::create(output, input, options.overrides, checkpoint_parent(input, case_path), options.overwrite);
   Console console(options.quiet);
   console.open_log(directory.file("run.log"));
   show_banner(console, input, built);
-  install_signal_handlers();
   Runner runner(input, built, directory, console);
   runner.stop_at(options.stop_after_steps);
-  return runner.start();
+  return with_log(console, directory, [&] { return runner.start(); });
 }
 
 struct ResumeOptions {
@@ -58,7 +73,8 @@ struct ResumeOptions {
 };
 
 ExitCode resume(const ResumeOptions& options) {
-  const RunDirectory directory = RunDirectory::open(options.directory);
+  RunDirectory directory = RunDirectory::open(options.directory);
+  directory.lock();
   Case input = read_case(directory.file("case.toml"), directory.overrides());
   BuiltSimulation built = build_simulation(input);
   Console console(options.quiet);
@@ -67,7 +83,7 @@ ExitCode resume(const ResumeOptions& options) {
   install_signal_handlers();
   Runner runner(input, built, directory, console);
   runner.stop_at(options.until_step);
-  return runner.resume();
+  return with_log(console, directory, [&] { return runner.resume(); });
 }
 
 }  // namespace
@@ -75,11 +91,12 @@ ExitCode resume(const ResumeOptions& options) {
 void add_run_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "run a case");
-  command->add_option("case", options->case_path, "case file (TOML)")->required();
-  command->add_option("--output", options->output, "run directory; default results/<case>");
+  command->add_option("case", options->case_path, "case file (TOML)")->required()->type_name("FILE");
+  command->add_option("--output", options->output, "run directory; default results/<case>")->type_name("DIR");
   command->add_flag("--overwrite", options->overwrite, "replace the run that is in the run directory");
   command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
   command->add_option("--set", options->overrides, "key=value instead of what the case says; repeatable")
+      ->type_name("KEY=VALUE")
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--stop-after-steps", options->stop_after_steps, "stop at this step, with a checkpoint")
@@ -90,7 +107,7 @@ void add_run_command(CLI::App& app, Action& action) {
 void add_resume_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<ResumeOptions>();
   CLI::App* command = app.add_subcommand("resume", "go on from the newest good checkpoint, to the same bits");
-  command->add_option("run_directory", options->directory, "directory of the run")->required();
+  command->add_option("run_directory", options->directory, "directory of the run")->required()->type_name("DIR");
   command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
   command->add_option("--until-step", options->until_step, "stop at this step, with a checkpoint")
       ->check(CLI::NonNegativeNumber);

@@ -32,7 +32,9 @@ void Console::progress(const std::string& text) {
 }
 
 void Console::clear_progress() {
-  if (has_progress_) std::printf("\r\033[K");
+  if (!has_progress_) return;
+  std::printf("\r\033[K");
+  std::fflush(stdout);
   has_progress_ = false;
 }
 

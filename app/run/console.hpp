@@ -10,19 +10,23 @@ namespace ligament {
 class Console {
  public:
   explicit Console(bool quiet);
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+  ~Console() { clear_progress(); }
 
   /// Also writes all that follows to the end of this file.
   void open_log(const std::filesystem::path& path);
 
   void line(const std::string& text);
   void warning(const std::string& text);
+  /// For the log alone.
+  void log(const std::string& text);
   /// Replaces the line that shows how far the run is.
   void progress(const std::string& text);
   [[nodiscard]] bool shows_progress() const { return shows_progress_; }
 
  private:
   void clear_progress();
-  void log(const std::string& text);
 
   bool quiet_;
   bool shows_progress_;

@@ -1,5 +1,6 @@
 #include "run/run_directory.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -27,27 +28,45 @@ fs::path normalized(const fs::path& path) {
   return full.has_filename() ? full : full.parent_path();
 }
 
-void remove_run(const fs::path& path) {
-  const RunDirectory earlier = RunDirectory::open(path);
-  fs::remove_all(earlier.checkpoint_folder());
+bool is_run(const fs::path& path) { return fs::is_directory(path) && fs::exists(path / identity_file); }
+
+void check_room(const fs::path& path, bool overwrite) {
+  if (!fs::exists(path) || (fs::is_directory(path) && fs::is_empty(path))) return;
+  if (!is_run(path)) {
+    throw InputError(fmt::format("{}: exists and is no run directory; choose another with --output", path.string()));
+  }
+  if (overwrite) return;
+  throw InputError(fmt::format("{}: holds a run already; 'ligament resume {}' goes on with it, --overwrite removes it",
+                               path.string(), path.string()));
+}
+
+/// Removes what check_room() has let pass.
+void clear(const fs::path& path) {
+  if (is_run(path)) {
+    RunDirectory earlier = RunDirectory::open(path);
+    earlier.lock();
+    // Whatever run.json says, only a folder that bears the run's id is the run's own.
+    const fs::path& checkpoints = earlier.checkpoint_folder();
+    if (checkpoints.filename().string().ends_with("-" + earlier.run_id())) fs::remove_all(checkpoints);
+  }
   fs::remove_all(path);
 }
 
-void make_room(const fs::path& path, bool overwrite) {
-  if (!fs::exists(path)) return;
-  const bool is_run = fs::is_directory(path) && fs::exists(path / identity_file);
-  if (is_run && overwrite) return remove_run(path);
-  if (is_run) {
-    throw InputError(
-        fmt::format("{}: holds a run already; 'ligament resume {}' goes on with it, --overwrite removes it",
-                    path.string(), path.string()));
+/// A folder that is removed unless it was given its final name.
+class PartFolder {
+ public:
+  explicit PartFolder(fs::path path) : path_(std::move(path)) {}
+  PartFolder(const PartFolder&) = delete;
+  PartFolder& operator=(const PartFolder&) = delete;
+  ~PartFolder() {
+    std::error_code already_failing;
+    fs::remove_all(path_, already_failing);
   }
-  if (fs::is_directory(path) && fs::is_empty(path)) {
-    fs::remove(path);
-    return;
-  }
-  throw InputError(fmt::format("{}: exists and is no run directory; choose another with --output", path.string()));
-}
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
 
 }  // namespace
 
@@ -56,23 +75,24 @@ RunDirectory RunDirectory::create(const fs::path& path, const Case& input, const
   RunDirectory run;
   try {
     run.path_ = normalized(path);
-    make_room(run.path_, overwrite);
+    check_room(run.path_, overwrite);
     run.run_id_ = new_run_id();
     run.case_name_ = input.file.file_name();
     run.overrides_ = overrides;
     run.checkpoint_folder_ =
         fs::absolute(checkpoint_parent) / fmt::format("{}-{}", run.path_.filename().string(), run.run_id_);
 
-    fs::path part = run.path_;
-    part += fmt::format(".{}.part", run.run_id_);
-    fs::create_directories(part / "fields");
-    write_atomically(part / "case.toml", input.file.text());
-    write_atomically(part / "case_resolved.toml", input.file.resolved_text());
+    const PartFolder part(fs::path(run.path_) += fmt::format(".{}.part", run.run_id_));
+    fs::create_directories(part.path() / "fields");
+    write_atomically(part.path() / "case.toml", input.file.text());
+    write_atomically(part.path() / "case_resolved.toml", input.file.resolved_text());
     const nlohmann::ordered_json identity{{"program", "ligament"},  {"version", program_version()},
                                           {"run_id", run.run_id_},  {"case", run.case_name_},
                                           {"overrides", overrides}, {"checkpoints", run.checkpoint_folder_.string()}};
-    write_atomically(part / identity_file, identity.dump(2) + "\n");
-    fs::rename(part, run.path_);
+    write_atomically(part.path() / identity_file, identity.dump(2) + "\n");
+    clear(run.path_);
+    fs::rename(part.path(), run.path_);
+    run.lock();
   } catch (const fs::filesystem_error& error) {
     throw FileError(fmt::format("{}: cannot make the run directory: {}", path.string(), error.code().message()));
   }
@@ -96,6 +116,12 @@ RunDirectory RunDirectory::open(const fs::path& path) {
     throw FileError(fmt::format("{}: is damaged: {}", identity_path.string(), error.what()));
   }
   return run;
+}
+
+void RunDirectory::lock() {
+  lock_.emplace(file(identity_file), O_RDONLY);
+  if (lock_->try_lock()) return;
+  throw InputError(fmt::format("{}: another process is at work on this run", path_.string()));
 }
 
 }  // namespace ligament

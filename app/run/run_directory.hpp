@@ -1,24 +1,29 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "case/case.hpp"
+#include "io/file_descriptor.hpp"
 
 namespace ligament {
 
 /// The folder of a run: its case, what identifies it, and its results.
 class RunDirectory {
  public:
-  /// Makes the folder with the case and run.json in it; it appears under its name when it is complete. `overwrite`
-  /// removes a run that is there. Throws InputError if there is one and it does not, or if something else is there;
-  /// FileError if the folder cannot be made.
+  /// Makes the folder with the case and run.json in it, locked; it appears under its name when it is complete.
+  /// `overwrite` removes a run that is there. Throws InputError if there is one and it does not, if another process is
+  /// at work on it, or if something else is there; FileError if the folder cannot be made.
   static RunDirectory create(const std::filesystem::path& path, const Case& input,
                              const std::vector<std::string>& overrides, const std::filesystem::path& checkpoint_parent,
                              bool overwrite);
 
   /// Opens the folder of an earlier run. Throws InputError if it is none.
   static RunDirectory open(const std::filesystem::path& path);
+
+  /// Keeps other processes from working on the run while this object lives. Throws InputError if one does already.
+  void lock();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
@@ -35,6 +40,7 @@ class RunDirectory {
   std::string case_name_;
   std::filesystem::path checkpoint_folder_;
   std::vector<std::string> overrides_;
+  std::optional<FileDescriptor> lock_;
 };
 
 }  // namespace ligament

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "io/atomic_file.hpp"
 #include "run/run_report.hpp"
 #include "run/signals.hpp"
 #include "run/summary.hpp"
@@ -68,14 +70,29 @@ ExitCode Runner::resume() {
     console_.warning(fmt::format("{}: {}; taking an earlier one", path.string(), reason));
   });
   if (!step) {
+    refuse_to_lose_results();
     console_.line("no checkpoint yet: starting from step 0");
     return start();
   }
   console_.line(fmt::format("resuming from step {}", *step));
+  last_checkpoint_ = fmt::format("the one of step {}", *step);
+  checkpoint_step_ = *step;
   results_.emplace(directory_, built_, *step);
   if (step_audit_) step_audit_.emplace(built_.simulation);
   table_.show_header();
   return go_on();
+}
+
+void Runner::refuse_to_lose_results() const {
+  const auto history = directory_.file("history.csv");
+  if (!std::filesystem::exists(history)) return;
+  // A run saves a checkpoint before its first step: lines beyond the header and step 0 say that checkpoints were lost.
+  const std::string text = read_file(history);
+  if (std::count(text.begin(), text.end(), '\n') <= 2) return;
+  throw FileError(
+      fmt::format("{}: there is no good checkpoint of this run, though it has results; put its checkpoints back, or start "
+                  "anew with 'ligament run … --overwrite'",
+                  directory_.checkpoint_folder().string()));
 }
 
 ExitCode Runner::go_on() {
@@ -95,14 +112,20 @@ ExitCode Runner::go_on() {
   return finish(*ending);
 }
 
+bool Runner::can_converge() const {
+  return input_.solver.unbalanced_force_ratio && std::isfinite(built_.end_of_loading);
+}
+
 std::optional<Ending> Runner::find_ending() {
-  if (input_.solver.unbalanced_force_ratio && is_due(input_.solver.check_every)) {
+  // What is in equilibrium while it is still being loaded has not come to its end.
+  const bool is_loaded = built_.simulation.state().clock.time >= built_.end_of_loading;
+  if (can_converge() && is_loaded && is_due(input_.solver.check_every)) {
     const Unbalance unbalance = built_.simulation.unbalance();
     if (!std::isfinite(unbalance.largest_resultant)) check_finite();
     if (unbalance.ratio() <= *input_.solver.unbalanced_force_ratio) return Ending::converged;
   }
   if (step() >= input_.solver.max_steps) {
-    return input_.solver.unbalanced_force_ratio ? Ending::not_converged : Ending::completed;
+    return can_converge() ? Ending::not_converged : Ending::completed;
   }
   switch (take_request()) {
     case Request::stop_by_interrupt:
@@ -139,8 +162,9 @@ void Runner::save_checkpoint(bool is_asked_for) {
   check_finite();
   try {
     results_->sync();
-    last_checkpoint_ = checkpoints_.save(built_.simulation.state());
-    if (is_asked_for) console_.line(fmt::format("checkpoint: {}", last_checkpoint_.string()));
+    last_checkpoint_ = checkpoints_.save(built_.simulation.state()).string();
+    checkpoint_step_ = step();
+    if (is_asked_for) console_.line(fmt::format("checkpoint: {}", last_checkpoint_));
   } catch (const FileError& error) {
     // The run is worth more than one checkpoint: the next one may find room again.
     console_.warning(fmt::format("step {}: no checkpoint written: {}", step(), error.what()));
@@ -165,10 +189,13 @@ ExitCode Runner::finish(Ending ending) {
   const bool audit_passed = write_summary(input_, built_, directory_, summary);
   console_.line(describe_ending(input_, built_, summary, audit_passed));
   if (ending == Ending::diverged) {
-    const std::string kept = last_checkpoint_.empty() ? "none" : last_checkpoint_.string();
-    throw DivergenceError(fmt::format("{}; last good checkpoint: {}", divergence_, kept));
+    throw DivergenceError(fmt::format("{}; last good checkpoint: {}", divergence_, last_checkpoint_));
   }
   console_.line(fmt::format("results: {}", directory_.path().string()));
+  if (!is_final(ending)) {
+    if (checkpoint_step_ != step()) throw FileError(fmt::format("step {}: stopped without a checkpoint", step()));
+    console_.line(fmt::format("to go on: ligament resume {}", directory_.path().string()));
+  }
   const ExitCode code = exit_code_of(ending);
   return code == ExitCode::done && !audit_passed ? ExitCode::audit_failed : code;
 }

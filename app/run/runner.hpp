@@ -32,6 +32,10 @@ class Runner {
 
  private:
   ExitCode go_on();
+  /// Throws FileError if starting anew would overwrite what a run has reached.
+  void refuse_to_lose_results() const;
+  /// Whether the case asks for convergence, and loads and motions come to an end.
+  [[nodiscard]] bool can_converge() const;
   /// Why the run ends at this boundary, if it does.
   std::optional<Ending> find_ending();
   void handle_boundary(std::optional<Ending> ending);
@@ -50,8 +54,9 @@ class Runner {
   std::optional<StepAudit> step_audit_;
   LiveTable table_;
   std::optional<std::int64_t> stop_step_;
-  std::filesystem::path last_checkpoint_;
-  bool wants_checkpoint_ = false;  ///< asked for by a signal
+  std::string last_checkpoint_ = "none";
+  std::int64_t checkpoint_step_ = -1;  ///< of the last one
+  bool wants_checkpoint_ = false;      ///< asked for by a signal
   std::string divergence_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };

@@ -25,8 +25,9 @@ void install_signal_handlers() {
   // Writes under way are to go on.
   action.sa_flags = SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) sigaction(signal, &action, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);
 }
+
+void ignore_file_size_signal() { std::signal(SIGXFSZ, SIG_IGN); }
 
 Request take_request() {
   if (stop_signal == SIGINT) return Request::stop_by_interrupt;

@@ -7,6 +7,7 @@
 
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
+#include "run/external_forces.hpp"
 #include "run/run_report.hpp"
 #include "version.hpp"
 
@@ -50,6 +51,13 @@ Json packings(const BuiltSimulation& built) {
   return zones;
 }
 
+/// Of the only state of equilibrium there is, the last one; null if the run has found none.
+Json force_mismatch(const BuiltSimulation& built, Ending ending) {
+  if (ending != Ending::converged) return nullptr;
+  const auto mismatch = external_forces(built.simulation, built.freedoms).mismatch();
+  return mismatch ? Json(*mismatch) : Json(nullptr);
+}
+
 /// The values of the gauges at the end.
 Json results(const BuiltSimulation& built) {
   Json values = Json::object();
@@ -70,7 +78,7 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
   // An error that is not a number has not passed.
   const bool passed = error <= input.audit.tolerance && summary.ending != Ending::diverged;
   Json json{{"version", program_version()},
-            {"case", input.file.file_name()},
+            {"case", directory.case_name()},
             {"case_hash", case_hash(input)},
             {"ended", name_of(summary.ending)},
             {"steps", simulation.state().clock.step},
@@ -87,7 +95,8 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
             {"energy_error", error},
             {"audit_tolerance", input.audit.tolerance},
             {"audit", passed ? "passed" : "failed"},
-            {"final_state_hash", state_hash(simulation.state())}};
+            {"final_state_hash", state_hash(simulation.state())},
+            {"force_mismatch_max", force_mismatch(built, summary.ending)}};
   if (summary.motion_error) json["motion_error"] = *summary.motion_error;
   if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;
   if (!summary.divergence.empty()) json["divergence"] = summary.divergence;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 namespace ligament {
 
@@ -15,10 +16,13 @@ struct ContactBound {
 /// (30) leaves out the coupling of shear and rotation and is not a bound.
 inline ContactBound contact_bound(double normal_stiffness, double shear_stiffness, double lever_first,
                                   double lever_second) {
-  const double shear_row = shear_stiffness * (2.0 + lever_first + lever_second);
+  // The contact point of a disc that lies deep inside of another is on the far side of its centre.
+  const double first = std::abs(lever_first);
+  const double second = std::abs(lever_second);
+  const double shear_row = shear_stiffness * (2.0 + first + second);
   return {.translation = std::max(2.0 * normal_stiffness, shear_row),
-          .rotation_first = lever_first * shear_row,
-          .rotation_second = lever_second * shear_row};
+          .rotation_first = first * shear_row,
+          .rotation_second = second * shear_row};
 }
 
 }  // namespace ligament

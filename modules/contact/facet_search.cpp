@@ -94,7 +94,8 @@ FacetPairs find_facet_pairs(const FacetData& facets, std::span<const Vector> nod
   FacetsBehind facets_behind;
   for (std::size_t row = 0; row < facets.size(); ++row) {
     const auto facet = static_cast<Index>(row);
-    const auto& [i, j] = facets.nodes[row];
+    const Index i = facets.nodes[row][0];
+    const Index j = facets.nodes[row][1];
     const Vector& a = node_positions[i];
     const Vector& b = node_positions[j];
     const Vector low{std::min(a.x, b.x) - range, std::min(a.y, b.y) - range};

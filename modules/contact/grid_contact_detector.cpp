@@ -1,6 +1,8 @@
 #include "contact/grid_contact_detector.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "contact/dropped_contacts.hpp"
@@ -23,8 +25,10 @@ double largest_travel(const Field<Vector>& displacement, const Field<Vector>& la
   double largest = 0.0;
   for (std::size_t i = 0; i < last.size(); ++i) {
     const Vector travel = displacement[i] - last[i];
-    // Written so that a travel that is not a number counts as infinite.
-    if (!(dot(travel, travel) <= largest)) largest = dot(travel, travel);
+    const double square = dot(travel, travel);
+    if (square <= largest) continue;
+    // A travel that is not a number must not pass for a small one, nor be forgotten.
+    largest = std::isnan(square) ? std::numeric_limits<double>::infinity() : square;
   }
   return std::sqrt(largest);
 }

@@ -8,9 +8,9 @@
 
 namespace ligament {
 
-/// Energy of a path, such as the work of damping, summed with compensation. By the identity of the central differences a
-/// force F(n) works over half of the displacement on either side of n: the half behind is booked at once, the half ahead
-/// waits until the step is taken.
+/// Energy of a path, such as the work of damping, summed with compensation. By the identity of the central differences
+/// a force F(n) works over half of the displacement on either side of n: the half behind is booked at once, the half
+/// ahead waits until the step is taken.
 struct PathSum {
   double value = 0.0;         ///< up to time n (J)
   double compensation = 0.0;  ///< Neumaier's correction (J)

@@ -34,11 +34,4 @@ class Constraint : public EnergySource {
   virtual void apply(const Model& model, State& state) = 0;
 };
 
-/// Sees every step boundary, changes nothing.
-class Observer {
- public:
-  virtual ~Observer() = default;
-  virtual void observe(const Model& model, const State& state) = 0;
-};
-
 }  // namespace ligament

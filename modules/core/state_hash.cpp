@@ -15,8 +15,8 @@ namespace {
 
 /// Types with one bit pattern per value: no padding.
 template <class T>
-concept Hashable = std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vector> ||
-                   std::is_same_v<T, PathSum>;
+concept Hashable =
+    std::is_arithmetic_v<T> || std::is_enum_v<T> || std::is_same_v<T, Vector> || std::is_same_v<T, PathSum>;
 static_assert(sizeof(PathSum) == 3 * sizeof(double) && sizeof(Vector) == dimension * sizeof(double));
 
 class Hasher {
@@ -30,10 +30,8 @@ class Hasher {
     add_bytes(field.data(), field.size() * sizeof(T));
   }
   template <class T>
-    requires std::is_arithmetic_v<T>
-  void add(const T& value) {
-    add_bytes(&value, sizeof(T));
-  }
+  requires std::is_arithmetic_v<T>
+  void add(const T& value) { add_bytes(&value, sizeof(T)); }
 
   [[nodiscard]] std::string digest() const {
     const XXH128_hash_t hash = XXH3_128bits_digest(state_.get());

@@ -24,10 +24,10 @@ inline double turn_angle(double sine, double cosine) {
   const double q = s * s;
   // arcsine series, |s| < 0.1: the first term left out is below 1e-17 of the sum.
   const double series =
-      1.0 +
-      q * (1.0 / 6.0 +
-           q * (3.0 / 40.0 + q * (5.0 / 112.0 + q * (35.0 / 1152.0 + q * (63.0 / 2816.0 + q * (231.0 / 13312.0 +
-                                                                                             q * (143.0 / 10240.0)))))));
+      1.0 + q * (1.0 / 6.0 +
+                 q * (3.0 / 40.0 +
+                      q * (5.0 / 112.0 +
+                           q * (35.0 / 1152.0 + q * (63.0 / 2816.0 + q * (231.0 / 13312.0 + q * (143.0 / 10240.0)))))));
   return factor * s * series;
 }
 

@@ -61,12 +61,9 @@ constexpr Vector tangent(const Vector& n) { return {-n.y, n.x}; }
 constexpr Vector componentwise(const Vector& a, const Vector& b) { return {a.x * b.x, a.y * b.y}; }
 inline Vector absolute(const Vector& a) { return {std::abs(a.x), std::abs(a.y)}; }
 
-/// |a| with the sign of b, component by component; zero where b is zero.
-inline Vector signed_like(const Vector& a, const Vector& b) {
-  const auto one = [](double value, double sign) {
-    return sign > 0.0 ? std::abs(value) : (sign < 0.0 ? -std::abs(value) : 0.0);
-  };
-  return {one(a.x, b.x), one(a.y, b.y)};
+/// Every component of a, kept within plus or minus that of the limit.
+constexpr Vector clamped(const Vector& a, const Vector& limit) {
+  return {std::clamp(a.x, -limit.x, limit.x), std::clamp(a.y, -limit.y, limit.y)};
 }
 
 /// All components equal to s.

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/parameters.hpp"
 #include "generation/packing_report.hpp"
+#include "generation/particle_limit.hpp"
 
 namespace ligament {
 namespace {
@@ -33,6 +34,7 @@ Lattice fit_lattice(double along, double across, double radius) {
   lattice.pitch = free_length / n_pitches;
   double n_line_pitches = std::max(1.0, std::round(free_height / (std::sqrt(0.75) * lattice.pitch)));
   while (oblique_distance(lattice.pitch, free_height / n_line_pitches) > 2.0 * radius) n_line_pitches += 1.0;
+  check_particle_count((n_pitches + 1.0) * (n_line_pitches + 1.0));
   lattice.line_pitch = free_height / n_line_pitches;
   lattice.n_per_line = static_cast<std::size_t>(n_pitches) + 1;
   lattice.n_lines = static_cast<std::size_t>(n_line_pitches) + 1;

@@ -4,27 +4,29 @@
 #include <cmath>
 #include <limits>
 
-
 namespace ligament {
 namespace {
 
-double largest_resultant(const TranslationState& bodies, const Field<Vector>& free) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < bodies.force.size(); ++i) {
-    const double resultant = norm(componentwise(free[i], bodies.force[i]));
-    // Written so that a force that is not a number counts as infinite.
-    if (!(resultant <= largest)) largest = resultant;
+/// A force that is not a number counts as infinite.
+template <class Magnitude>
+double largest(std::size_t count, Magnitude&& magnitude) {
+  double all = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = magnitude(i);
+    if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
+    all = std::max(all, value);
   }
-  return largest;
+  return all;
+}
+
+double largest_resultant(const TranslationState& bodies, const Field<Vector>& free) {
+  return largest(bodies.force.size(), [&](std::size_t i) { return norm(componentwise(free[i], bodies.force[i])); });
 }
 
 double largest_moment(const Model& model, const RotationState& bodies) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < bodies.moment.size(); ++i) {
-    const double resultant = std::abs(model.particles.rotation_free[i] * bodies.moment[i]) / model.particles.radius[i];
-    if (!(resultant <= largest)) largest = resultant;
-  }
-  return largest;
+  return largest(bodies.moment.size(), [&](std::size_t i) {
+    return std::abs(model.particles.rotation_free[i] * bodies.moment[i]) / model.particles.radius[i];
+  });
 }
 
 }  // namespace

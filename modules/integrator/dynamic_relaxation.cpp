@@ -38,15 +38,17 @@ Quotient quotient(const RotationState& bodies, const Field<double>& free, const 
 
 void DynamicRelaxation::declare(Parameters& parameters) {
   parameters
-      .number("largest_damping", largest_damping_, "upper bound of c Δt; above 2 the damping would overshoot")
+      .number("damping_ratio", damping_ratio_, "damping over the critical one of the frequency that the motion shows")
+      .greater_than(0.0);
+  parameters.number("largest_damping", largest_damping_, "upper bound of c Δt; above 2 the damping would overshoot")
       .greater_than(0.0)
       .less_than(2.0);
 }
 
 DampingCoefficients DynamicRelaxation::coefficients(const Model& model, State& state) {
   RelaxationState& memory = state.relaxation;
-  const bool is_first = memory.node_force.size() != model.nodes.size() ||
-                        memory.particle_force.size() != model.particles.size();
+  const bool is_first =
+      memory.node_force.size() != model.nodes.size() || memory.particle_force.size() != model.particles.size();
   Quotient sum;
   if (!is_first) {
     sum += quotient(state.particles.translation, model.particles.free, memory.particle_force);
@@ -58,7 +60,7 @@ DampingCoefficients DynamicRelaxation::coefficients(const Model& model, State& s
   memory.node_force = state.nodes.translation.force;
   // Where the stiffness along the motion is negative, as in a snap, damping would only hold it up.
   const double frequency = sum.stiffness > 0.0 && sum.mass > 0.0 ? std::sqrt(sum.stiffness / sum.mass) : 0.0;
-  memory.damping = std::min(2.0 * frequency, largest_damping_ / state.clock.acceleration_time());
+  memory.damping = std::min(2.0 * damping_ratio_ * frequency, largest_damping_ / state.clock.acceleration_time());
   return {.viscous = memory.damping};
 }
 

@@ -15,6 +15,8 @@ namespace {
 
 /// The error for an absent table: one for all the keys it must have.
 void report_absent_table(const CaseTable& table, const Parameters& parameters, CaseErrors& errors) {
+  // Something that is no table stands in its place: that was reported when the table was asked for.
+  if (table.position.line > 0 || !table.position.override_text.empty()) return;
   std::vector<std::string> required;
   for (const Parameter& parameter : parameters.list()) {
     if (parameter.required) required.push_back(parameter.name);

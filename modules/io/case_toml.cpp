@@ -65,6 +65,9 @@ CaseNode converted(const toml::node& node) {
 std::string explained(const toml::parse_error& error) {
   std::string text(error.description());
   if (text.find("utf-8") != std::string::npos) return "the file is not UTF-8 text";
+  if (text.find("control characters") != std::string::npos) {
+    return "syntax error: a string holds a line break or another control character; is its closing quote missing?";
+  }
   if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
   return "syntax error: " + text;
 }

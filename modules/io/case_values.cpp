@@ -102,6 +102,10 @@ class ValueReader {
   }
 
   std::optional<std::int64_t> integer(const CaseNode& node, const std::string& label) const {
+    if (std::holds_alternative<double>(node.value)) {
+      complain(node, fmt::format("{} must be an integer, not a number with a point or an exponent", label));
+      return std::nullopt;
+    }
     const auto value = typed<std::int64_t>(node, label, "an integer");
     if (!value) return std::nullopt;
     return accepted(node, label, std::to_string(*value), *value);

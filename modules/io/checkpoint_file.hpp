@@ -25,7 +25,8 @@ struct CheckpointHeader {
   std::string state_hash;
   std::int64_t step = 0;
   double time = 0.0;  ///< s
-  /// Number of entries of every array of the state, in the order of the archive, to be compared with the model before the archive is read.
+  /// Number of entries of every array of the state, in the order of the archive, to be compared with the model before
+  /// the archive is read.
   std::vector<std::pair<std::string, std::uint64_t>> array_lengths;
   int word_size = program_word_size();
   std::string boost_version = program_boost_version();

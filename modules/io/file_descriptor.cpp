@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <array>
@@ -51,6 +52,10 @@ std::string FileDescriptor::read_all() {
 
 bool FileDescriptor::truncate(std::size_t n_bytes) noexcept {
   return ::ftruncate(descriptor_, static_cast<off_t>(n_bytes)) == 0;
+}
+
+bool FileDescriptor::try_lock() noexcept {
+  return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
 }
 
 void FileDescriptor::flush_to_disk() {

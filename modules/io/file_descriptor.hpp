@@ -30,6 +30,9 @@ class FileDescriptor {
   /// Cuts the file to `n_bytes`; returns false (errno is set) instead of throwing, since it also cleans up after
   /// errors.
   [[nodiscard]] bool truncate(std::size_t n_bytes) noexcept;
+  /// Locks the file against other processes until it is closed or the process ends, however it ends; false if another
+  /// one holds it. File systems that know no locks let everyone in.
+  [[nodiscard]] bool try_lock() noexcept;
   /// Flushes to the disk. File systems that cannot flush this kind of file are not an error.
   void flush_to_disk();
   /// Closes and reports what a destructor would have to keep quiet (delayed write errors of network file systems).

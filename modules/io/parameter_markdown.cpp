@@ -53,7 +53,8 @@ std::string section(const TableDescription& table) {
 std::string markdown_reference(const std::vector<TableDescription>& tables) {
   std::string text =
       "# Case files\n\n"
-      "Generated from the declarations in the program: change those, not this file.\n\n"
+      "Generated from the declarations in the program: change those, not this file, and renew it with\n"
+      "`ligament reference > config/case_reference.md`.\n\n"
       "A quantity is a text with a number, one space and a unit: `\"21.9 GPa\"`, `\"7 kN/m\"`, `\"1879 kg/m3\"`. Any "
       "unit of the right dimension will do. A default of — means: not given.\n\n";
   for (const TableDescription& table : tables) text += section(table);

@@ -163,12 +163,16 @@ Json table_schema(const TableDescription& table) {
 }  // namespace
 
 std::string json_schema(const std::vector<TableDescription>& tables) {
-  Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-              {"title", "ligament case file"},
-              {"type", "object"},
-              {"properties", Json::object()},
-              {"required", Json::array()},
-              {"additionalProperties", false}};
+  Json schema{
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"$comment",
+       "Generated from the declarations in the program: change those, not this file, and renew it with 'ligament "
+       "schema > config/case.schema.json'."},
+      {"title", "ligament case file"},
+      {"type", "object"},
+      {"properties", Json::object()},
+      {"required", Json::array()},
+      {"additionalProperties", false}};
   for (const TableDescription& table : tables) {
     if (table.path.empty()) {
       schema["properties"].update(properties_of(table.parameters));

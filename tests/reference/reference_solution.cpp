@@ -35,8 +35,8 @@ nlohmann::ordered_json solve(const char* path) {
   const Model& model = built.simulation.model();
   // At rest the resultants are the loads.
   const Field<Vector>& loads = built.simulation.state().nodes.translation.force;
-  const State state = state_of(reference::solve_directly(model, built.simulation.state(), loads),
-                               built.simulation.state());
+  const State state =
+      state_of(reference::solve_directly(model, built.simulation.state(), loads), built.simulation.state());
   nlohmann::ordered_json values;
   for (const Gauge& gauge : built.gauges) values[gauge.column] = gauge.value(model, state);
   return values;

@@ -1,0 +1,38 @@
+#include "run/external_forces.hpp"
+
+#include "core/block_sum.hpp"
+
+namespace ligament {
+namespace {
+
+Vector sum(const Field<Vector>& forces) {
+  return block_sum(forces.size(), [&](std::size_t i) { return forces[i]; });
+}
+
+}  // namespace
+
+std::optional<double> ExternalForces::mismatch() const {
+  const double size = norm(driving);
+  if (!(size > 0.0)) return std::nullopt;
+  return norm(driving + supporting) / size;
+}
+
+ExternalForces external_forces(const Simulation& simulation, const std::vector<PrescribedFreedom>& freedoms) {
+  const Model& model = simulation.model();
+  const State& state = simulation.state();
+  ExternalForces forces;
+  // Internal forces cancel: what remains of the resultants is loads and gravity.
+  forces.driving = sum(state.particles.translation.force) + sum(state.nodes.translation.force);
+  for (const PrescribedFreedom& freedom : freedoms) {
+    if (freedom.axis >= dimension) continue;
+    const bool on_node = freedom.body == PrescribedFreedom::Body::node;
+    const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
+    const Field<Vector>& free = on_node ? model.nodes.free : model.particles.free;
+    const double force = component(reaction(bodies, free, state.clock, freedom.row), freedom.axis);
+    Vector& side = freedom.velocity == 0.0 ? forces.supporting : forces.driving;
+    set_component(side, freedom.axis, component(side, freedom.axis) + force);
+  }
+  return forces;
+}
+
+}  // namespace ligament

@@ -1,0 +1,115 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "../app/program.hpp"
+#include "io/csv_table.hpp"
+
+using namespace ligament::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> cases(const std::string& prefix = "") {
+  std::vector<fs::path> paths;
+  for (const auto& entry : fs::directory_iterator(LIGAMENT_SOURCE_DIR "/config")) {
+    const std::string name = entry.path().filename();
+    if (entry.path().extension() == ".toml" && name.starts_with(prefix)) paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  REQUIRE(!paths.empty());
+  return paths;
+}
+
+nlohmann::json summary_of(const Workplace& place) {
+  return nlohmann::json::parse(content_of(place / "run/summary.json"));
+}
+
+/// The names that other people's scripts read.
+void check_names(const nlohmann::json& summary) {
+  for (const char* name : {"version", "case", "case_hash", "ended", "steps", "wall_time_s", "threads", "n_particles",
+                           "n_contacts", "n_edge_contacts", "n_elements", "n_broken", "energy_error", "audit",
+                           "final_state_hash", "force_mismatch_max", "results"}) {
+    CHECK_MESSAGE(summary.contains(name), name);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every case is right and takes its first 200 steps with all audits on") {
+  for (const fs::path& path : cases()) {
+    CAPTURE(path);
+    const Workplace place;
+    const Finished check = place.run({"check", path});
+    CHECK(check.code == 0);
+    CHECK(contains(check.out, "OK: 0 errors, 0 warnings"));
+    const Finished run =
+        place.run({"run", path, "--output", "run", "--stop-after-steps", "200", "--set", "audit.every_step=true"});
+    CHECK(run.code == 0);
+    CHECK(run.err.empty());
+    const auto summary = summary_of(place);
+    CHECK(summary.at("steps") == 200);
+    CHECK(summary.at("audit") == "passed");
+    CHECK(summary.at("motion_error").get<double>() < 1e-9);
+    CHECK(summary.at("transfer_error").get<double>() < 1e-9);
+    check_names(summary);
+  }
+}
+
+TEST_CASE("the columns converge") {
+  for (const fs::path& path : cases("column_")) {
+    CAPTURE(path);
+    const Workplace place;
+    const Finished run = place.run({"run", path, "--output", "run"});
+    CHECK(run.code == 0);
+    const auto summary = summary_of(place);
+    check_names(summary);
+    CHECK(summary.at("ended") == "converged");
+    CHECK(summary.at("audit") == "passed");
+    CHECK(summary.at("case") == path.string());
+    CHECK(summary.at("n_broken") == 0);
+    CHECK(summary.at("energy_error").get<double>() < 1e-9);
+    CHECK(summary.at("force_mismatch_max").get<double>() < 1e-4);
+    CHECK(summary.at("unbalanced_force_ratio").get<double>() <= 1e-6);
+    CHECK(summary.at("final_state_hash").get<std::string>().size() == 32);
+
+    const ligament::CsvContent history = ligament::read_csv(place / "run/history.csv");
+    CHECK(history.columns == std::vector<std::string>{"step", "time_s", "u_7_m", "u_14_m", "u_21_m", "u_28_m", "r_1_N",
+                                                      "r_8_N", "r_15_N", "r_22_N", "n_broken", "unbalanced_force_ratio",
+                                                      "energy_error"});
+    CHECK(history.rows.front().front() == "0");
+    CHECK(history.rows.back().front() == std::to_string(summary.at("steps").get<long>()));
+    for (const auto& [name, value] : summary.at("results").items()) {
+      CAPTURE(name);
+      CHECK(history.numbers(name).back() == value.get<double>());
+    }
+    CHECK(summary.at("results").size() == 8);
+  }
+}
+
+TEST_CASE("the columns carry their load to the support") {
+  for (const fs::path& path : cases("column_")) {
+    CAPTURE(path);
+    const Workplace place;
+    REQUIRE(place.run({"run", path, "--output", "run"}).code == 0);
+    const auto results = summary_of(place).at("results");
+    double reaction = 0.0;
+    for (const char* name : {"r_1_N", "r_8_N", "r_15_N", "r_22_N"}) reaction += results.at(name).get<double>();
+    CHECK(reaction == doctest::Approx(-10000.0).epsilon(1e-5));
+    for (const char* name : {"u_7_m", "u_14_m", "u_21_m", "u_28_m"}) {
+      CHECK(results.at(name).get<double>() == doctest::Approx(2.4e-6).epsilon(0.01));
+    }
+  }
+}
+
+TEST_CASE("the numbers of bodies of the columns are those of the paper") {
+  const auto sizes = [](const std::string& name) {
+    const Finished check = Workplace().run({"check", LIGAMENT_SOURCE_DIR "/config/" + name});
+    return check.out;
+  };
+  CHECK(contains(sizes("column_fem.toml"), "0 particles, 0 contacts, 0 edge contacts, 18 elements, 28 nodes"));
+  CHECK(contains(sizes("column_hexagonal_h1.toml"), "595 particles"));
+  CHECK(contains(sizes("column_hexagonal_h2.toml"), "357 particles"));
+}

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""A run that was stopped and resumed by a new process is the run that never stopped: state, rows and fields."""
+
+import unittest
+
+from program import COLUMNS, CONFIG, DONE, FALLING_BLOCK, NOT_CONVERGED, WRONG_INPUT, ProgramTest, settings
+
+CASES = [*COLUMNS, FALLING_BLOCK]
+
+
+class Resume(ProgramTest):
+    def limited(self, case, steps, **more):
+        """Options that end a run at this step, and the exit code to expect."""
+        code = DONE if case == FALLING_BLOCK else NOT_CONVERGED
+        return [case, "--quiet", *settings(solver__max_steps=steps, **more)], code
+
+    def test_half_and_half_is_the_whole(self):
+        for case in CASES:
+            for every in (1, 1000):
+                with self.subTest(case=case.stem, checkpoint_every=every):
+                    run, code = self.limited(case, 400, checkpoint__every=every, output__fields_every=100)
+                    self.call("run", *run, "--output", f"whole_{case.stem}_{every}", expect=code)
+                    half = f"half_{case.stem}_{every}"
+                    self.call("run", *run, "--output", half, "--stop-after-steps", 200)
+                    self.assertEqual(self.summary(half)["ended"], "stopped")
+                    self.call("resume", half, "--quiet", expect=code)
+                    self.assertEqual(self.final_hash(half), self.final_hash(f"whole_{case.stem}_{every}"))
+                    self.assert_same_results(half, f"whole_{case.stem}_{every}")
+
+    def test_a_run_in_many_pieces(self):
+        run, code = self.limited(FALLING_BLOCK, 1200, output__fields_every=150)
+        self.call("run", *run, "--output", "whole", expect=code)
+        self.call("run", *run, "--output", "pieces", "--stop-after-steps", 1)
+        for step in (2, 149, 150, 151, 333, 1199):
+            self.call("resume", "pieces", "--until-step", step, "--quiet")
+            self.assertEqual(self.summary("pieces")["steps"], step)
+        self.call("resume", "pieces", "--quiet")
+        self.assertEqual(self.final_hash("pieces"), self.final_hash("whole"))
+        self.assert_same_results("pieces", "whole")
+
+    def test_what_is_written_when_changes_no_bit_of_the_run(self):
+        schedules = [
+            {"checkpoint__every": 1},
+            {"checkpoint__every": 7, "checkpoint__keep": 1},
+            {"output__every": 1},
+            {"output__every": 100000},
+            {"output__fields_every": 1},
+            {"audit__every_step": "true"},
+            {"output__every": 3, "output__fields_every": 5, "checkpoint__every": 2},
+        ]
+        for case in CASES:
+            run, code = self.limited(case, 120)
+            self.call("run", *run, "--output", case.stem, expect=code)
+            for number, schedule in enumerate(schedules):
+                with self.subTest(case=case.stem, schedule=schedule):
+                    name = f"{case.stem}_{number}"
+                    self.call("run", *run, *settings(**schedule), "--output", name, expect=code)
+                    self.assertEqual(self.final_hash(name), self.final_hash(case.stem))
+
+    def test_resuming_a_finished_run_changes_nothing(self):
+        case = CONFIG / "column_fem.toml"
+        self.call("run", case, "--output", "run")
+        before, final_hash = self.results("run"), self.final_hash("run")
+        out, _ = self.call("resume", "run")
+        self.assertIn("converged at step", out)
+        self.assertEqual(self.results("run"), before)
+        self.assertEqual(self.final_hash("run"), final_hash)
+        self.assertEqual(self.summary("run")["case"], str(case))
+
+    def test_a_run_killed_before_its_first_checkpoint_starts_anew(self):
+        run, code = self.limited(FALLING_BLOCK, 100)
+        self.call("run", *run, "--output", "whole", expect=code)
+        self.call("run", *run, "--output", "bare", "--stop-after-steps", 60)
+        for checkpoint in self.checkpoints("bare"):
+            checkpoint.unlink()
+        for table in ("history.csv", "energy.csv"):
+            lines = (self.folder / "bare" / table).read_text().splitlines(keepends=True)
+            (self.folder / "bare" / table).write_text("".join(lines[:2]))
+        out, _ = self.call("resume", "bare", expect=code)
+        self.assertIn("no checkpoint yet: starting from step 0", out)
+        self.assert_same_results("bare", "whole")
+
+    def test_overrides_of_the_first_run_hold_for_the_next(self):
+        run, code = self.limited(FALLING_BLOCK, 60, problem__thickness='"0.2 m"')
+        self.call("run", *run, "--output", "whole", expect=code)
+        self.call("run", *run, "--output", "half", "--stop-after-steps", 30)
+        self.call("resume", "half", "--quiet", expect=code)
+        self.assertEqual(self.final_hash("half"), self.final_hash("whole"))
+        self.assertEqual(self.summary("half")["case_hash"], self.summary("whole")["case_hash"])
+
+    def test_a_checkpoint_of_another_case_is_refused(self):
+        run, _ = self.limited(FALLING_BLOCK, 60)
+        self.call("run", *run, "--output", "run", "--stop-after-steps", 30)
+        case = self.folder / "run" / "case.toml"
+        original = case.read_text()
+        before = self.results("run")
+        case.write_text(original.replace('young_modulus = "1 MPa"', 'young_modulus = "2 MPa"'))
+        _, err = self.call("resume", "run", expect=WRONG_INPUT)
+        self.assertIn("must not change between run and resume", err)
+        self.assertEqual(self.results("run"), before)
+        case.write_text(original.replace("# Contacts that come", "# Only a comment"))
+        self.call("resume", "run", "--quiet")
+
+    def test_what_is_no_run_cannot_be_resumed(self):
+        _, err = self.call("resume", "nowhere", expect=WRONG_INPUT)
+        self.assertIn("nowhere", err)
+        (self.folder / "empty").mkdir()
+        _, err = self.call("resume", "empty", expect=WRONG_INPUT)
+        self.assertIn("run.json", err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -13,7 +13,7 @@ function(ligament_test folder)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
   add_executable(test_${name} ${sources})
   target_include_directories(test_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-  target_link_libraries(test_${name} PRIVATE ligament_doctest_main ${ARGN})
+  target_link_libraries(test_${name} PRIVATE ligament_doctest_main Eigen3::Eigen ${ARGN})
   target_compile_definitions(test_${name} PRIVATE
     LIGAMENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIGAMENT_TEST_SCRATCH="${CMAKE_BINARY_DIR}/scratch")
   # Compiling tests takes longer than running them.

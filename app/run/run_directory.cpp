@@ -40,32 +40,65 @@ void check_room(const fs::path& path, bool overwrite) {
                                path.string(), path.string()));
 }
 
-/// Removes what check_room() has let pass.
-void clear(const fs::path& path) {
-  if (is_run(path)) {
-    RunDirectory earlier = RunDirectory::open(path);
-    earlier.lock();
-    // Whatever run.json says, only a folder that bears the run's id is the run's own.
-    const fs::path& checkpoints = earlier.checkpoint_folder();
-    if (checkpoints.filename().string().ends_with("-" + earlier.run_id())) fs::remove_all(checkpoints);
-  }
-  fs::remove_all(path);
+constexpr std::string_view part_suffix = ".part";
+
+/// A folder that is on its way to this path, or from it.
+fs::path part_of(const fs::path& path, const std::string& run_id) {
+  return fs::path(path) += fmt::format(".{}{}", run_id, part_suffix);
 }
 
-/// A folder that is removed unless it was given its final name.
+/// Removes the parts of this path that killed processes have left; those that are still at work lock theirs.
+void remove_left_parts(const fs::path& path, std::size_t id_length) {
+  const std::string begin = path.filename().string() + ".";
+  for (const auto& entry : fs::directory_iterator(path.parent_path())) {
+    const std::string name = entry.path().filename().string();
+    const bool is_part = name.starts_with(begin) && name.ends_with(part_suffix) &&
+                         name.size() == begin.size() + id_length + part_suffix.size();
+    if (is_part && FileDescriptor(entry.path(), O_RDONLY | O_DIRECTORY).try_lock()) fs::remove_all(entry.path());
+  }
+}
+
+/// A folder that is removed unless it gets its final name.
 class PartFolder {
  public:
-  explicit PartFolder(fs::path path) : path_(std::move(path)) {}
+  explicit PartFolder(fs::path path) : path_(std::move(path)) {
+    fs::create_directories(path_);
+    lock_.emplace(path_, O_RDONLY | O_DIRECTORY);
+    static_cast<void>(lock_->try_lock());
+  }
   PartFolder(const PartFolder&) = delete;
   PartFolder& operator=(const PartFolder&) = delete;
   ~PartFolder() {
     std::error_code already_failing;
     fs::remove_all(path_, already_failing);
   }
-  [[nodiscard]] const fs::path& path() const { return path_; }
+  fs::path operator/(const char* name) const { return path_ / name; }
+
+  /// Puts it in the place of what check_room() has let pass.
+  void publish(const fs::path& final_path) const {
+    if (!is_run(final_path)) {
+      fs::remove(final_path);
+      return rename_to(final_path);
+    }
+    RunDirectory earlier = RunDirectory::open(final_path);
+    earlier.lock();
+    const fs::path aside = part_of(final_path, earlier.run_id());
+    fs::rename(final_path, aside);
+    rename_to(final_path);
+    // Whatever run.json says, only a folder that bears the run's id is the run's own.
+    const fs::path& checkpoints = earlier.checkpoint_folder();
+    if (checkpoints.filename().string().ends_with("-" + earlier.run_id())) fs::remove_all(checkpoints);
+    fs::remove_all(aside);
+  }
 
  private:
+  void rename_to(const fs::path& final_path) const {
+    fs::rename(path_, final_path);
+    FileDescriptor(final_path.parent_path(), O_RDONLY | O_DIRECTORY).flush_to_disk();
+  }
+
   fs::path path_;
+  std::optional<FileDescriptor> lock_;
 };
 
 }  // namespace
@@ -82,19 +115,23 @@ RunDirectory RunDirectory::create(const fs::path& path, const Case& input, const
     run.checkpoint_folder_ =
         fs::absolute(checkpoint_parent) / fmt::format("{}-{}", run.path_.filename().string(), run.run_id_);
 
-    const PartFolder part(fs::path(run.path_) += fmt::format(".{}.part", run.run_id_));
-    fs::create_directories(part.path() / "fields");
-    write_atomically(part.path() / "case.toml", input.file.text());
-    write_atomically(part.path() / "case_resolved.toml", input.file.resolved_text());
+    fs::create_directories(run.path_.parent_path());
+    remove_left_parts(run.path_, run.run_id_.size());
+    const PartFolder part(part_of(run.path_, run.run_id_));
+    fs::create_directory(part / "fields");
+    write_atomically(part / "case.toml", input.file.text());
+    write_atomically(part / "case_resolved.toml", input.file.resolved_text());
     const nlohmann::ordered_json identity{{"program", "ligament"},  {"version", program_version()},
                                           {"run_id", run.run_id_},  {"case", run.case_name_},
                                           {"overrides", overrides}, {"checkpoints", run.checkpoint_folder_.string()}};
-    write_atomically(part.path() / identity_file, identity.dump(2) + "\n");
-    clear(run.path_);
-    fs::rename(part.path(), run.path_);
+    write_atomically(part / identity_file, identity.dump(2) + "\n");
+    part.publish(run.path_);
     run.lock();
   } catch (const fs::filesystem_error& error) {
     throw FileError(fmt::format("{}: cannot make the run directory: {}", path.string(), error.code().message()));
+  } catch (const nlohmann::json::exception&) {
+    throw InputError(
+        fmt::format("{}: the names of case, run directory and working directory must be UTF-8 text", path.string()));
   }
   return run;
 }

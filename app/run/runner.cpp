@@ -89,10 +89,10 @@ void Runner::refuse_to_lose_results() const {
   // A run saves a checkpoint before its first step: lines beyond the header and step 0 say that checkpoints were lost.
   const std::string text = read_file(history);
   if (std::count(text.begin(), text.end(), '\n') <= 2) return;
-  throw FileError(
-      fmt::format("{}: there is no good checkpoint of this run, though it has results; put its checkpoints back, or start "
-                  "anew with 'ligament run … --overwrite'",
-                  directory_.checkpoint_folder().string()));
+  throw FileError(fmt::format(
+      "{}: there is no good checkpoint of this run, though it has results; put its checkpoints back, or start "
+      "anew with 'ligament run … --overwrite'",
+      directory_.checkpoint_folder().string()));
 }
 
 ExitCode Runner::go_on() {

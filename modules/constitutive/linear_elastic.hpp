@@ -14,7 +14,8 @@ struct LinearElastic {
 
   void declare(Parameters& parameters) {
     parameters
-        .number("friction_coefficient", friction_coefficient, "friction coefficient μ of contacts that form after set-up")
+        .number("friction_coefficient", friction_coefficient,
+                "friction coefficient μ of contacts that form after set-up")
         .at_least(0.0);
   }
 

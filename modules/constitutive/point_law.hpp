@@ -29,8 +29,8 @@ template <class Law>
 concept PointLaw = requires(Law law, const Law constant, Parameters& parameters, const ContactInput& input,
                             ContactForce& force, std::array<double, Law::n_history>& history) {
   { Law::history() } -> std::convertible_to<std::array<HistoryVariable, Law::n_history>>;
-  { law.declare(parameters) };
-  { constant.evaluate(input, force, history) };
+  {law.declare(parameters)};
+  {constant.evaluate(input, force, history)};
   { constant.energies(input, force, history) } -> std::convertible_to<ContactEnergies>;
   { constant.friction_coefficient } -> std::convertible_to<double>;
 };

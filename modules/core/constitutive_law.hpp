@@ -23,18 +23,18 @@ struct HistoryVariable {
   double initial_value = 0.0;
 };
 
-/// A block of contacts of one law, in arrays of equal length. Kinematics are those of the step; forces, bond and history
-/// enter as the contact last stored them and leave as the law returns them.
+/// A block of contacts of one law, in arrays of equal length. Kinematics are those of the step; forces, bond and
+/// history enter as the contact last stored them and leave as the law returns them.
 struct ContactBatch {
-  std::span<const double> opening;             ///< u_n (m), > 0 apart, from the reference gap
-  std::span<const ShearVector> slip_increment; ///< Δu_s of the second body against the first (m)
-  std::span<const double> normal_stiffness;    ///< k_n (N/m)
-  std::span<const double> shear_stiffness;     ///< k_s (N/m)
-  std::span<const double> area;                ///< A = H t (m2)
-  std::span<double> normal_force;              ///< F_n (N), > 0 in compression
-  std::span<ShearVector> shear_force;          ///< F_s (N)
+  std::span<const double> opening;              ///< u_n (m), > 0 apart, from the reference gap
+  std::span<const ShearVector> slip_increment;  ///< Δu_s of the second body against the first (m)
+  std::span<const double> normal_stiffness;     ///< k_n (N/m)
+  std::span<const double> shear_stiffness;      ///< k_s (N/m)
+  std::span<const double> area;                 ///< A = H t (m2)
+  std::span<double> normal_force;               ///< F_n (N), > 0 in compression
+  std::span<ShearVector> shear_force;           ///< F_s (N)
   std::span<BondState> bond;
-  std::span<double* const> history;            ///< one array per variable, in the order of the law's declaration
+  std::span<double* const> history;  ///< one array per variable, in the order of the law's declaration
 };
 
 /// The same contacts at rest, for what is a function of their state.

@@ -12,14 +12,14 @@ namespace ligament {
 
 /// Rigid discs, numbered in spatial order; `id` is the permanent number used in output and messages.
 struct ParticleData {
-  Field<Vector> position;         ///< centre at rest (m)
-  Field<double> radius;           ///< R (m)
-  Field<double> real_mass;        ///< its share of ρ · area · t of the zone (kg)
-  Field<Index> material;          ///< row of Model::materials
-  Field<Index> zone;              ///< row of Model::zones
-  Field<Index> id;                ///< counted from 1
-  Field<Vector> free;             ///< 1 where the centre is free to move along an axis, 0 where its motion is prescribed
-  Field<double> rotation_free;    ///< likewise for the rotation
+  Field<Vector> position;       ///< centre at rest (m)
+  Field<double> radius;         ///< R (m)
+  Field<double> real_mass;      ///< its share of ρ · area · t of the zone (kg)
+  Field<Index> material;        ///< row of Model::materials
+  Field<Index> zone;            ///< row of Model::zones
+  Field<Index> id;              ///< counted from 1
+  Field<Vector> free;           ///< 1 where the centre is free to move along an axis, 0 where its motion is prescribed
+  Field<double> rotation_free;  ///< likewise for the rotation
 
   [[nodiscard]] std::size_t size() const { return radius.size(); }
 };
@@ -85,9 +85,9 @@ struct Material {
 /// A region filled with particles.
 struct Zone {
   std::string name;
-  Index interface_material = 0;    ///< material of the contacts between its particles and element facets
-  double detection_gap = 0.0;      ///< particles closer than this times the sum of their radii are bonded at set-up
-  double interface_gap = 0.0;      ///< particles closer to a facet than this times their radius are bonded to it
+  Index interface_material = 0;  ///< material of the contacts between its particles and element facets
+  double detection_gap = 0.0;    ///< particles closer than this times the sum of their radii are bonded at set-up
+  double interface_gap = 0.0;    ///< particles closer to a facet than this times their radius are bonded to it
 };
 
 /// Two bodies that touched, or were bonded, at set-up, first < second in their own tables.

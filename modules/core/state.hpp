@@ -77,10 +77,10 @@ struct ContactTable {
   Field<double> shear_stiffness;   ///< k_s (N/m)
   Field<double> area;              ///< A = H t (m2)
   // What the contact remembers.
-  Field<double> opening;                 ///< u_n (m)
-  Field<ShearVector> shear_displacement; ///< Σ Δu_s (m)
-  Field<double> normal_force;            ///< F_n (N), > 0 in compression
-  Field<ShearVector> shear_force;        ///< F_s (N)
+  Field<double> opening;                  ///< u_n (m)
+  Field<ShearVector> shear_displacement;  ///< Σ Δu_s (m)
+  Field<double> normal_force;             ///< F_n (N), > 0 in compression
+  Field<ShearVector> shear_force;         ///< F_s (N)
   Field<BondState> bond;
   /// First row of each law's range; one entry more than laws.
   Field<Index> law_begin;

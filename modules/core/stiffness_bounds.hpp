@@ -5,8 +5,8 @@
 namespace ligament {
 
 /// For every body a number that bounds the stiffness it feels: with D = diag of these, K ≤ D as quadratic forms, so
-/// that ω²max ≤ max D_i / m_i (Gershgorin, row by row; a contact counts its rows in its own frame, which makes the bound
-/// independent of orientation). Rotations are scaled by the radius, θ' = R θ.
+/// that ω²max ≤ max D_i / m_i (Gershgorin, row by row; a contact counts its rows in its own frame, which makes the
+/// bound independent of orientation). Rotations are scaled by the radius, θ' = R θ.
 struct StiffnessBounds {
   Field<double> particle_translation;  ///< N/m
   Field<double> particle_rotation;     ///< N/m, of θ' = R θ

@@ -26,7 +26,7 @@ double oblique_distance(double pitch, double line_pitch) {
 }
 
 Lattice fit_lattice(double along, double across, double radius) {
-  constexpr double rounding = 1e-9;  // A region of exactly k diameters holds k discs.
+  constexpr double rounding = 1e-9;           // A region of exactly k diameters holds k discs.
   const double free_length = along - radius;  // The long lines end half a radius from the border.
   const double free_height = across - 2.0 * radius;
   const double n_pitches = std::ceil(free_length / (2.0 * radius) * (1.0 - rounding));
@@ -55,8 +55,8 @@ Packing Hexagonal::generate(const Rectangle& region, std::uint64_t /*seed*/) con
   const double along = along_x ? size.x : size.y;
   const double across = along_x ? size.y : size.x;
   if (along < 3.0 * radius_ || across < 4.0 * radius_) {
-    throw InputError(fmt::format("a hexagonal assembly of radius {} m does not fit into {} m × {} m", radius_, size.x,
-                                 size.y));
+    throw InputError(
+        fmt::format("a hexagonal assembly of radius {} m does not fit into {} m × {} m", radius_, size.x, size.y));
   }
   const Lattice lattice = fit_lattice(along, across, radius_);
   Packing packing;

@@ -6,8 +6,8 @@
 
 namespace ligament {
 
-/// Central differences in leapfrog form, Eqs (1)-(2): v(n+½) = v(n-½) + a(n) Δt, x(n+1) = x(n) + v(n+½) Δt, the same for
-/// rotations. At rest v(-½) = 0.
+/// Central differences in leapfrog form, Eqs (1)-(2): v(n+½) = v(n-½) + a(n) Δt, x(n+1) = x(n) + v(n+½) Δt, the same
+/// for rotations. At rest v(-½) = 0.
 class CentralDifference : public Integrator {
  public:
   explicit CentralDifference(std::unique_ptr<Damping> damping) : damping_(std::move(damping)) {}

@@ -6,7 +6,7 @@ namespace ligament {
 
 /// How far the bodies are from equilibrium.
 struct Unbalance {
-  double largest_resultant = 0.0;   ///< over free bodies, moments over the radius included (N)
+  double largest_resultant = 0.0;  ///< over free bodies, moments over the radius included (N)
   double mean_force = 0.0;  ///< over contacts that carry force; over nodes of elements if there are no particles (N)
 
   /// The unbalanced force ratio; infinite while nothing carries force.

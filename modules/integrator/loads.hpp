@@ -9,9 +9,9 @@ struct PointLoad {
   enum class Body { node, particle };
   Body body = Body::node;
   Index row = 0;
-  Vector force{};           ///< (N)
-  Moment moment = 0.0;      ///< particles only (N m)
-  double rise_time = 0.0;   ///< (s)
+  Vector force{};          ///< (N)
+  Moment moment = 0.0;     ///< particles only (N m)
+  double rise_time = 0.0;  ///< (s)
 };
 
 /// Forces that the case applies to nodes and particles.

@@ -85,8 +85,8 @@ std::vector<EnergyTerm> PrescribedMotion::energies(const Model& /*model*/, const
 }
 
 Vector reaction(const TranslationState& bodies, const Field<Vector>& free, const Clock& clock, Index row) {
-  const Vector shown = (bodies.mass[row] / clock.acceleration_time()) *
-                       (bodies.velocity[row] - bodies.velocity_before[row]);
+  const Vector shown =
+      (bodies.mass[row] / clock.acceleration_time()) * (bodies.velocity[row] - bodies.velocity_before[row]);
   return componentwise(uniform_vector(1.0) - free[row], shown - bodies.force[row]);
 }
 

@@ -18,9 +18,8 @@ Field<double> scaled_masses(const Field<double>& bound, double time_step, double
   const double sum = block_sum(bound.size(), [&](std::size_t i) { return bound[i]; });
   const double mean = n_stiff > 0 ? sum / static_cast<double>(n_stiff) : 1.0;
   Field<double> masses(bound.size());
-  std::transform(bound.begin(), bound.end(), masses.begin(), [&](double value) {
-    return 0.25 * time_step * time_step * safety * (value > 0.0 ? value : mean);
-  });
+  std::transform(bound.begin(), bound.end(), masses.begin(),
+                 [&](double value) { return 0.25 * time_step * time_step * safety * (value > 0.0 ? value : mean); });
   return masses;
 }
 

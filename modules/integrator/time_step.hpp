@@ -22,7 +22,8 @@ void use_real_masses(const Model& model, State& state);
 /// stiffness gets the mean mass of the others.
 void use_scaled_masses(const Model& model, State& state, const StiffnessBounds& bounds, double safety);
 
-/// Raises scaled masses to the above where they no longer suffice even without safety, velocities kept; returns the energy ½ Δm v(n-½)² (J) this brings.
+/// Raises scaled masses to the above where they no longer suffice even without safety, velocities kept; returns the
+/// energy ½ Δm v(n-½)² (J) this brings.
 double raise_scaled_masses(const Model& model, State& state, const StiffnessBounds& bounds, double safety);
 
 }  // namespace ligament

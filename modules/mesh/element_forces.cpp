@@ -51,9 +51,8 @@ void ElementForces::add_stiffness(const Model& model, const State& /*state*/, St
 ForceMagnitudes ElementForces::internal_forces(const Model& model, const State& state) const {
   if (model.particles.size() > 0) return {};
   return block_sum(model.elements.size(), [&](std::size_t element) {
-    const ElementDisplacement f =
-        stiffness_times(model.elements.stiffness[element],
-                        displacement_of(model, state.nodes.translation.displacement, element));
+    const ElementDisplacement f = stiffness_times(
+        model.elements.stiffness[element], displacement_of(model, state.nodes.translation.displacement, element));
     ForceMagnitudes magnitudes;
     for (std::size_t a = 0; a < 4; ++a) {
       const double force = norm({f[2 * a], f[2 * a + 1]});

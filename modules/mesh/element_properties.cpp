@@ -42,8 +42,8 @@ void fill_element_properties(Model& model) {
 }
 
 ElementStress element_stress(const Model& model, const Field<Vector>& node_displacement, std::size_t element) {
-  const PlaneTensor strain = quadrilateral_mean_strain(corners_of(model, element),
-                                                       displacement_of(model, node_displacement, element));
+  const PlaneTensor strain =
+      quadrilateral_mean_strain(corners_of(model, element), displacement_of(model, node_displacement, element));
   return {strain, stress_of(elasticity_of(model, element), strain)};
 }
 

@@ -10,8 +10,7 @@ namespace {
 
 bool is_line(const std::vector<double>& lines, double position) {
   const double tolerance = 1e-9 * (lines.back() - lines.front());
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](double line) { return std::abs(line - position) <= tolerance; });
+  return std::any_of(lines.begin(), lines.end(), [&](double line) { return std::abs(line - position) <= tolerance; });
 }
 
 bool is_inside(const Rectangle& rectangle, const Vector& point) {

@@ -42,9 +42,10 @@ TEST_CASE("audit shows the ledger of a run, finished or not") {
   REQUIRE(place.run({"run", column, "--output", "run"}).code == 0);
   const Finished audit = place.run({"audit", "run"});
   CHECK(audit.code == 0);
-  for (const char* line :
-       {"energy ledger at step 750", "elastic_elements_J", "applied_loads_J", "damping_J", "passed"}) {
-    CHECK_MESSAGE(contains(audit.out, line), line);
+  const std::string last = ligament::read_csv(place / "run/energy.csv").rows.back().front();
+  CHECK(contains(audit.out, "energy ledger at step " + last + "\n"));
+  for (const char* line : {"elastic_elements_J", "applied_loads_J", "damping_J", "passed"}) {
+    CHECK_MESSAGE(contains(audit.out, line), std::string(line));
   }
   std::filesystem::remove(place / "run/summary.json");
   const Finished unfinished = place.run({"audit", "run"});

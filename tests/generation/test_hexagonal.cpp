@@ -149,7 +149,7 @@ TEST_CASE("the report counts what is there") {
   CHECK(entry(packing, "area_ratio") == doctest::Approx(595 * 3.14159265358979 * 4e-4 / 0.8).epsilon(1e-12));
 }
 
-TEST_CASE("the radius must be given and positive; lines know three words") {
+TEST_CASE("the radius must be given and positive and lines know three words") {
   const Hexagonal defaults;
   CHECK(defaults.default_interface_gap() == 0.5);
   auto generator = generators().create("hexagonal");

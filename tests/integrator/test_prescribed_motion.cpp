@@ -41,7 +41,7 @@ TEST_CASE("prescribed freedoms are taken from the integrator, the others are not
   CHECK(model.particles.rotation_free[0] == 0.0);
 }
 
-TEST_CASE("velocities rise, hold and stop; they are those of the middle of the step") {
+TEST_CASE("velocities rise, hold and stop and they are those of the middle of the step") {
   const PrescribedFreedom freedom{
       .body = Body::node, .row = 0, .axis = 0, .velocity = 3.0, .rise_time = 2.0, .stop_time = 5.0};
   CHECK(velocity_at(freedom, 0.0, 0.5) == 3.0 * 0.125);

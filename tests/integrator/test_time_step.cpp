@@ -70,7 +70,7 @@ TEST_CASE("real masses are those of the model, I = ½ m R²") {
   CHECK(state.particles.rotation.inertia[1] == doctest::Approx(0.5 * model.particles.real_mass[1] * 0.0625));
 }
 
-TEST_CASE("scaled masses make every body equally fast; what feels no stiffness gets the mean") {
+TEST_CASE("scaled masses make every body equally fast and what feels no stiffness gets the mean") {
   const Model model = bodies();
   State state = resting_state(model);
   state.clock.time_step = 0.2;

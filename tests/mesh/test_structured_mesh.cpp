@@ -29,7 +29,7 @@ TEST_CASE("nodes and elements are numbered row by row from the bottom left") {
   for (const Vector& free : mesh.nodes.free) CHECK(free == uniform_vector(1.0));
 }
 
-TEST_CASE("a hole takes elements, and nodes that only they have; ids stay those of the full grid") {
+TEST_CASE("a hole takes elements, and nodes that only they have and ids stay those of the full grid") {
   const StructuredMesh mesh = build_structured_mesh(four_by_three, {{{1.0, 0.0}, {4.0, 1.5}}});
   CHECK(ids(mesh.elements.id) == std::vector<Index>{1, 4, 5, 8, 9, 10, 11, 12});
   // Inside the hole and on its open lower end lies a node each: 3 and 8.

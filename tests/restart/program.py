@@ -37,7 +37,8 @@ class ProgramTest(unittest.TestCase):
 
     def start(self, *arguments, **options):
         """Starts the program and leaves it running; it is killed at the end of the test if it still runs."""
-        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL, "text": True}
+        pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL}
+        pipes |= {"text": True, "errors": "replace"}
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], cwd=self.folder, **pipes, **options)
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)

@@ -49,6 +49,13 @@ class RunDirectory(ProgramTest):
         self.call("run", *SHORT, "--output", "run", "--overwrite")
         self.assertTrue((self.folder / "precious").exists())
 
+    def test_what_a_killed_start_left_is_cleared_by_the_next_one(self):
+        for name in ("run.0123456789abcdef.part", "run.mine.part", "other.0123456789abcdef.part"):
+            (self.folder / name / "fields").mkdir(parents=True)
+        self.call("run", *SHORT, "--output", "run")
+        left = sorted(path.name for path in self.folder.iterdir())
+        self.assertEqual(left, ["checkpoints", "other.0123456789abcdef.part", "run", "run.mine.part"])
+
     def test_what_is_no_run_is_left_alone(self):
         (self.folder / "thesis").mkdir()
         (self.folder / "thesis" / "chapter.tex").write_text("...")
@@ -65,6 +72,14 @@ class RunDirectory(ProgramTest):
         _, err = self.call("run", *SHORT, "--output", "file/run", expect=FILE_ERROR)
         self.assertIn("cannot make the run directory", err)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["file"])
+
+    def test_names_of_any_letters_but_no_broken_ones(self):
+        self.call("run", *SHORT, "--output", "Träger 1, σ")
+        self.call("resume", "Träger 1, σ", "--quiet")
+        before = self.snapshot()
+        _, err = self.call("run", *SHORT, "--output", "caf\udce9", expect=WRONG_INPUT)
+        self.assertIn("must be UTF-8 text", err)
+        self.assertEqual(self.snapshot(), before)
 
     def test_an_empty_folder_is_a_place(self):
         (self.folder / "run").mkdir()

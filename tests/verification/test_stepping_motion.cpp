@@ -107,7 +107,7 @@ TEST_CASE("a prescribed spin turns a free disc, and its work is the energy of th
   CHECK(simulation.state().ledger.total("prescribed_motions") == doctest::Approx(0.5 * inertia * 4.0).epsilon(1e-13));
 }
 
-TEST_CASE("reactions of a held bar at rest balance its load; free axes have none") {
+TEST_CASE("reactions of a held bar at rest balance its load and free axes have none") {
   Model model = bar_model(4, 1.0);
   const auto left = section(model, 0);
   hold(model, left);

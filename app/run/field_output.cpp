@@ -143,7 +143,8 @@ void FieldOutput::resume(std::int64_t last_step) {
 }
 
 void FieldOutput::write(const Model& model, const State& state) {
-  const auto& [step, time, time_step, time_step_before] = state.clock;
+  const std::int64_t step = state.clock.step;
+  const double time = state.clock.time;
   const auto write_group = [&](FieldSeries& series, const FieldGroup& group) {
     write_vtkhdf(series.file_of(step), group, step, time);
     series.add(step, time);

@@ -41,10 +41,12 @@ std::vector<HistoryColumn> make_history(const Model& model);
 template <class Table>
 auto history_pointers(const Model& model, Table& contacts, Index law, std::size_t row) {
   using Pointer = std::conditional_t<std::is_const_v<Table>, const double*, double*>;
-  const auto begin = history_begin(model);
-  std::vector<Pointer> pointers;
-  for (std::size_t column = begin[law]; column < begin[law + 1]; ++column) {
-    pointers.push_back(contacts.history[column].values.data() + (row - contacts.law_begin[law]));
+  // Asked for at every block of every step: no table of all laws, and no memory for laws without history.
+  std::size_t column = 0;
+  for (Index before = 0; before < law; ++before) column += model.laws[before].n_history;
+  std::vector<Pointer> pointers(model.laws[law].n_history);
+  for (Pointer& pointer : pointers) {
+    pointer = contacts.history[column++].values.data() + (row - contacts.law_begin[law]);
   }
   return pointers;
 }

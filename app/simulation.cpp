@@ -64,6 +64,19 @@ void Simulation::step() {
   book_work();
 }
 
+void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {
+  state_.stage.readings.assign(n_stages * n_gauges, 0.0);
+}
+
+void Simulation::finish_stage(const std::vector<double>& readings) {
+  StageState& stage = state_.stage;
+  std::copy(readings.begin(), readings.end(),
+            stage.readings.begin() + (stage.number - 1) * static_cast<std::ptrdiff_t>(readings.size()));
+  ++stage.number;
+  stage.begin_step = state_.clock.step;
+  stage.begin_time = state_.clock.time;
+}
+
 double Simulation::audit() {
   EnergyBalance balance;
   for (const EnergyTerm& term : energies()) balance.add(term);

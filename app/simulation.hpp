@@ -37,6 +37,11 @@ class Simulation {
   /// From n to n+1: the paper's cycle (Fig. 1).
   void step();
 
+  /// Makes room for the readings of gauges at the ends of so many stages of loading.
+  void open_stages(std::size_t n_stages, std::size_t n_gauges);
+  /// Ends the stage of loading under way at time n with these readings; the next one begins.
+  void finish_stage(const std::vector<double>& readings);
+
   /// Takes the balance of time n into the ledger; returns its relative error.
   double audit();
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -39,17 +40,17 @@ void check_rotation(Case& input, const SupportTable& table, const TableView& vie
       fmt::format("nodes do not rotate {}: hold 'x' or 'y' of several; 'rotation' is for particles", view.where()));
 }
 
-/// Two tables that prescribe one freedom cannot both have their way; supports that repeat each other can.
-void check_conflicts(Case& input, const TableView& view, const std::vector<PrescribedFreedom>& earlier,
-                     const std::vector<PrescribedFreedom>& later) {
-  const bool is_taken = std::any_of(later.begin(), later.end(), [&](const PrescribedFreedom& a) {
-    return std::any_of(earlier.begin(), earlier.end(), [&](const auto& b) { return key_of(a) == key_of(b); });
-  });
-  if (!is_taken) return;
-  input.file.add_error(
-      input.file.position(view),
-      fmt::format("a freedom is prescribed twice {}: another table holds or moves it too; take it out of one of them",
-                  view.where()));
+/// The freedom with the same key; null if it is not prescribed yet.
+PrescribedFreedom* find_freedom(std::vector<PrescribedFreedom>& freedoms, const PrescribedFreedom& wanted) {
+  const auto found = std::find_if(freedoms.begin(), freedoms.end(),
+                                  [&](const PrescribedFreedom& other) { return key_of(other) == key_of(wanted); });
+  return found == freedoms.end() ? nullptr : &*found;
+}
+
+/// Two tables that prescribe one freedom in one stage cannot both have their way; supports that repeat each other can.
+bool is_in_conflict(const PrescribedFreedom& known, std::int64_t stage) {
+  return known.motions.empty() || std::any_of(known.motions.begin(), known.motions.end(),
+                                              [&](const StageVelocity& motion) { return motion.stage == stage; });
 }
 
 std::vector<PrescribedFreedom> support_freedoms(Case& input, const Model& model) {
@@ -65,20 +66,73 @@ std::vector<PrescribedFreedom> support_freedoms(Case& input, const Model& model)
   return freedoms;
 }
 
+SelectedBodies bodies_of(Case& input, const Model& model, const MotionTable& table, const TableView& view) {
+  const bool moves_bodies = table.walls.empty() || table.bodies.x || table.bodies.y || !table.bodies.nodes.empty() ||
+                            !table.bodies.particles.empty();
+  SelectedBodies bodies = moves_bodies ? select_bodies(model, table.bodies, input.file, view) : SelectedBodies{};
+  for (const std::string& name : table.walls) {
+    if (const auto nodes = find_wall(model, name, input.file, view, "walls")) {
+      bodies.nodes.insert(bodies.nodes.end(), nodes->begin(), nodes->end());
+    }
+  }
+  return bodies;
+}
+
+/// The velocity that a motion asks for; a displacement is made until it stops, the rise included.
+StageVelocity velocity_of(Case& input, const MotionTable& table, const TableView& view) {
+  StageVelocity motion{.stage = table.stage,
+                       .velocity = table.velocity.value_or(0.0),
+                       .rise_time = table.rise_time,
+                       .stop_time = table.stop_time.value_or(-1.0)};
+  if (table.velocity.has_value() == table.displacement.has_value()) {
+    input.file.add_error(input.file.position(view),
+                         fmt::format("give either 'velocity' or 'displacement' {}", view.where()));
+  } else if (table.displacement) {
+    const double time = motion.stop_time - 0.5 * motion.rise_time;
+    if (!(motion.stop_time > 0.0 && motion.rise_time <= motion.stop_time)) {
+      input.file.add_error(input.file.position(view, "displacement"),
+                           fmt::format("'displacement' needs a 'stop_time' after the 'rise_time' {}", view.where()));
+    } else {
+      motion.velocity = *table.displacement / time;
+    }
+  }
+  return motion;
+}
+
+/// Takes note that loads and motions of a stage change until this time (s).
+void extend_stage(std::int64_t stage, double time, Conditions& conditions) {
+  const auto row = static_cast<std::size_t>(stage - 1);
+  if (conditions.end_of_loading.size() <= row) conditions.end_of_loading.resize(row + 1, 0.0);
+  conditions.end_of_loading[row] = std::max(conditions.end_of_loading[row], time);
+}
+
+void add_motion(Case& input, const SelectedBodies& bodies, const MotionTable& table, const TableView& view,
+                Conditions& conditions) {
+  std::vector<PrescribedFreedom> moved;
+  add_freedoms(bodies, {.axis = axis_of(table.direction), .motions = {velocity_of(input, table, view)}}, moved);
+  bool has_conflict = false;
+  for (const PrescribedFreedom& freedom : moved) {
+    PrescribedFreedom* known = find_freedom(conditions.freedoms, freedom);
+    if (known == nullptr) {
+      conditions.freedoms.push_back(freedom);
+    } else if (is_in_conflict(*known, table.stage)) {
+      has_conflict = true;
+    } else {
+      known->motions.push_back(freedom.motions.front());
+    }
+  }
+  if (!has_conflict) return;
+  input.file.add_error(
+      input.file.position(view),
+      fmt::format("a freedom is prescribed twice {}: another table holds or moves it too; take it out of one of them",
+                  view.where()));
+}
+
 void add_motions(Case& input, const Model& model, Conditions& conditions) {
   for (const auto& [table, view] : input.motions) {
-    std::vector<PrescribedFreedom> moved;
-    add_freedoms(select_bodies(model, table.bodies, input.file, view),
-                 {.axis = axis_of(table.direction),
-                  .velocity = table.velocity,
-                  .rise_time = table.rise_time,
-                  .stop_time = table.stop_time.value_or(-1.0)},
-                 moved);
-    check_conflicts(input, view, conditions.freedoms, moved);
-    conditions.freedoms.insert(conditions.freedoms.end(), moved.begin(), moved.end());
-    if (table.velocity == 0.0) continue;
-    conditions.end_of_loading =
-        std::max(conditions.end_of_loading, table.stop_time.value_or(std::numeric_limits<double>::infinity()));
+    add_motion(input, bodies_of(input, model, table, view), table, view, conditions);
+    if (table.velocity.value_or(1.0) == 0.0) continue;
+    extend_stage(table.stage, table.stop_time.value_or(std::numeric_limits<double>::infinity()), conditions);
     if (!table.stop_time && input.solver.unbalanced_force_ratio) {
       conditions.warnings.push_back(fmt::format(
           "[[motion]] '{}' has no 'stop_time': the run cannot converge and goes on to max_steps", table.name));
@@ -86,11 +140,23 @@ void add_motions(Case& input, const Model& model, Conditions& conditions) {
   }
 }
 
+/// What no motion moves of a wall stands still.
+void hold_walls(const Model& model, Conditions& conditions) {
+  for (std::size_t wall = 0; wall < model.walls.size(); ++wall) {
+    for (const Index node : model.wall_nodes(wall)) {
+      for (int axis = 0; axis < dimension; ++axis) {
+        const PrescribedFreedom held{.body = PrescribedFreedom::Body::node, .row = node, .axis = axis};
+        if (find_freedom(conditions.freedoms, held) == nullptr) conditions.freedoms.push_back(held);
+      }
+    }
+  }
+}
+
 void add_loads(Case& input, const Model& model, Conditions& conditions) {
   for (const auto& [table, view] : input.loads) {
     const SelectedBodies bodies = select_bodies(model, table.bodies, input.file, view);
-    conditions.end_of_loading = std::max(conditions.end_of_loading, table.rise_time);
-    PointLoad load{.force = to_vector(table.force), .rise_time = table.rise_time};
+    extend_stage(table.stage, table.rise_time, conditions);
+    PointLoad load{.force = to_vector(table.force), .rise_time = table.rise_time, .stage = table.stage};
     for (const Index row : bodies.nodes) {
       load.row = row;
       conditions.loads.push_back(load);
@@ -103,13 +169,28 @@ void add_loads(Case& input, const Model& model, Conditions& conditions) {
   }
 }
 
+void check_stages(Case& input, const Conditions& conditions) {
+  const std::vector<double>& ends = conditions.end_of_loading;
+  if (ends.size() == 1) return;
+  if (!input.solver.unbalanced_force_ratio) {
+    input.file.add_error({},
+                         "stages of loading need 'unbalanced_force_ratio' in [solver]: a stage ends in equilibrium");
+  }
+  for (std::size_t stage = 0; stage + 1 < ends.size(); ++stage) {
+    if (std::isfinite(ends[stage])) continue;
+    input.file.add_error({}, fmt::format("stage {} never ends: one of its [[motion]] has no 'stop_time'", stage + 1));
+  }
+}
+
 }  // namespace
 
 Conditions build_conditions(Case& input, const Model& model) {
   Conditions conditions;
   conditions.freedoms = support_freedoms(input, model);
   add_motions(input, model, conditions);
+  hold_walls(model, conditions);
   add_loads(input, model, conditions);
+  check_stages(input, conditions);
   return conditions;
 }
 

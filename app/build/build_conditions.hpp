@@ -11,8 +11,9 @@ namespace ligament {
 struct Conditions {
   std::vector<PrescribedFreedom> freedoms;
   std::vector<PointLoad> loads;
-  double end_of_loading =
-      0.0;  ///< from when on loads and motions no longer change (s); infinite if a motion never stops
+  /// Of every stage, from when on its loads and motions no longer change (s after its beginning); infinite if a motion
+  /// never stops.
+  std::vector<double> end_of_loading{0.0};
   std::vector<std::string> warnings;
 };
 

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "build/select_bodies.hpp"
+#include "contact/region_mean.hpp"
 #include "integrator/prescribed_motion.hpp"
 
 namespace ligament {
 namespace {
 
-/// The body that a gauge watches.
+/// The node or particle that a gauge watches.
 struct WatchedBody {
   bool is_node = true;
   Index row = -1;
@@ -22,34 +25,106 @@ struct WatchedBody {
   }
 };
 
-WatchedBody find_body(Case& input, const Model& model, const GaugePoint& point, const TableView& view,
-                      const char* key) {
+int axis_of(const GaugePoint& point) { return point.direction == "y" ? 1 : 0; }
+
+/// What a gauge watches: a body, or both ends of a wall; none if the case is wrong.
+std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const GaugePoint& point, const TableView& view,
+                                     const char* key) {
   const SourcePosition position = input.file.position(view, key);
-  WatchedBody body{.is_node = point.node.has_value(), .axis = point.direction == "y" ? 1 : 0};
-  if (point.node.has_value() == point.particle.has_value()) {
-    input.file.add_error(position, fmt::format("'{}' needs either 'node' or 'particle' {}", key, view.where()));
-    return body;
-  }
-  const std::int64_t number = body.is_node ? *point.node : *point.particle;
-  body.row = row_of_id(body.is_node ? model.nodes.id : model.particles.id, number);
-  if (body.row < 0) {
+  if (point.node.has_value() + point.particle.has_value() + point.wall.has_value() != 1) {
     input.file.add_error(position,
-                         fmt::format("there is no {} {} {}: it is beyond the last one or a zone has replaced it",
-                                     body.is_node ? "node" : "particle", number, view.where()));
+                         fmt::format("'{}' needs one of 'node', 'particle' and 'wall' {}", key, view.where()));
+    return {};
   }
-  return body;
+  if (point.wall) {
+    const auto nodes = find_wall(model, *point.wall, input.file, view, key);
+    if (!nodes) return {};
+    return {{true, (*nodes)[0], axis_of(point)}, {true, (*nodes)[1], axis_of(point)}};
+  }
+  const bool is_node = point.node.has_value();
+  const std::int64_t number = is_node ? *point.node : *point.particle;
+  const Index row = row_of_id(is_node ? model.nodes.id : model.particles.id, number);
+  if (row >= 0) return {{is_node, row, axis_of(point)}};
+  input.file.add_error(position,
+                       fmt::format("there is no {} {} {}: it is beyond the last one or a zone has replaced it",
+                                   is_node ? "node" : "particle", number, view.where()));
+  return {};
 }
 
-Gauge displacement_gauge(const std::string& name, const WatchedBody& body) {
-  return {name + "_m", [body](const Model&, const State& state) {
-            return component(body.table(state).displacement[body.row], body.axis);
+/// Of a wall, the mean of its ends.
+Gauge displacement_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
+  return {name + "_m", [bodies](const Model&, const State& state) {
+            double sum = 0.0;
+            for (const WatchedBody& body : bodies) {
+              sum += component(body.table(state).displacement[body.row], body.axis);
+            }
+            return sum / static_cast<double>(bodies.size());
           }};
 }
 
-Gauge reaction_gauge(const std::string& name, const WatchedBody& body) {
-  return {name + "_N", [body](const Model& model, const State& state) {
-            return component(reaction(body.table(state), body.free(model), state.clock, body.row), body.axis);
+Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
+  return {name + "_N", [bodies](const Model& model, const State& state) {
+            double sum = 0.0;
+            for (const WatchedBody& body : bodies) {
+              sum += component(reaction(body.table(state), body.free(model), state.clock, body.row), body.axis);
+            }
+            return sum;
           }};
+}
+
+void check_is_held(Case& input, const Model& model, const std::vector<WatchedBody>& bodies, const TableView& view) {
+  const bool is_held = std::all_of(bodies.begin(), bodies.end(), [&](const WatchedBody& body) {
+    return component(body.free(model)[body.row], body.axis) == 0.0;
+  });
+  if (is_held) return;
+  input.file.add_error(input.file.position(view, "reaction"),
+                       fmt::format("nothing holds or moves this body along its direction {}: it has no reaction; take "
+                                   "one of a [[support]] or [[motion]]",
+                                   view.where()));
+}
+
+double component(const SymmetricTensor& tensor, const std::string& name) {
+  return name == "xx" ? tensor.xx : name == "yy" ? tensor.yy : tensor.xy;
+}
+
+Rectangle find_region(Case& input, const Model& model, const GaugeRegion& table, const TableView& view,
+                      const char* key) {
+  const Rectangle region{to_vector(table.from), to_vector(table.to)};
+  if (!(region.from.x < region.to.x && region.from.y < region.to.y)) {
+    input.file.add_error(input.file.position(view, key),
+                         fmt::format("'to' must lie above and right of 'from' {}", view.where()));
+  } else if (count_particles(model, region) < 3) {
+    input.file.add_error(input.file.position(view, key),
+                         fmt::format("fewer than three particles are in the region {}", view.where()));
+  }
+  return region;
+}
+
+Gauge stress_gauge(const std::string& name, const Rectangle& region, const std::string& of) {
+  return {name + "_Pa", [region, of](const Model& model, const State& state) {
+            return component(mean_stress(model, state, region), of);
+          }};
+}
+
+Gauge strain_gauge(const std::string& name, const Rectangle& region, const std::string& of) {
+  return {name + "_1", [region, of](const Model& model, const State& state) {
+            return component(mean_strain(model, state, region), of);
+          }};
+}
+
+Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, const TableView& view) {
+  if (table.displacement.is_given) {
+    return displacement_gauge(table.name, find_bodies(input, model, table.displacement, view, "displacement"));
+  }
+  if (table.reaction.is_given) {
+    const auto bodies = find_bodies(input, model, table.reaction, view, "reaction");
+    check_is_held(input, model, bodies, view);
+    return reaction_gauge(table.name, bodies);
+  }
+  if (table.stress.is_given) {
+    return stress_gauge(table.name, find_region(input, model, table.stress, view, "stress"), table.stress.component);
+  }
+  return strain_gauge(table.name, find_region(input, model, table.strain, view, "strain"), table.strain.component);
 }
 
 }  // namespace
@@ -57,22 +132,15 @@ Gauge reaction_gauge(const std::string& name, const WatchedBody& body) {
 std::vector<Gauge> build_gauges(Case& input, const Model& model) {
   std::vector<Gauge> gauges;
   for (const auto& [table, view] : input.gauges) {
-    if (table.displacement.is_given == table.reaction.is_given) {
+    const int n_given =
+        table.displacement.is_given + table.reaction.is_given + table.stress.is_given + table.strain.is_given;
+    if (n_given == 1) {
+      gauges.push_back(build_gauge(input, model, table, view));
+    } else {
       input.file.add_error(
           input.file.position(view),
-          fmt::format("a gauge measures one thing: give 'displacement' or 'reaction' {}", view.where()));
-    } else if (table.displacement.is_given) {
-      const WatchedBody body = find_body(input, model, table.displacement, view, "displacement");
-      gauges.push_back(displacement_gauge(table.name, body));
-    } else {
-      const WatchedBody body = find_body(input, model, table.reaction, view, "reaction");
-      if (body.row >= 0 && component(body.free(model)[body.row], body.axis) != 0.0) {
-        input.file.add_error(input.file.position(view, "reaction"),
-                             fmt::format("nothing holds or moves this body along {} {}: it has no reaction; take one "
-                                         "of a [[support]] or [[motion]]",
-                                         table.reaction.direction, view.where()));
-      }
-      gauges.push_back(reaction_gauge(table.name, body));
+          fmt::format("a gauge measures one thing: give 'displacement', 'reaction', 'stress' or 'strain' {}",
+                      view.where()));
     }
   }
   return gauges;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "build/build_walls.hpp"
 #include "build/check_case.hpp"
 #include "core/error.hpp"
 #include "generation/spatial_order.hpp"
@@ -106,6 +107,7 @@ BuiltModel build_model(Case& input) {
     }
   }
   input.file.throw_collected_errors();
+  add_walls(input, built.model);
   return built;
 }
 

@@ -62,9 +62,10 @@ BuiltSimulation build_simulation(Case& input) {
       .gauges = std::move(gauges),
       .reports = std::move(built.reports),
       .freedoms = std::move(conditions.freedoms),
-      .end_of_loading = conditions.end_of_loading,
+      .end_of_loading = std::move(conditions.end_of_loading),
       .warnings = std::move(conditions.warnings),
   };
+  result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
   check_supports(input, result.simulation);
   return result;
 }

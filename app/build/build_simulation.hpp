@@ -14,7 +14,7 @@ struct BuiltSimulation {
   std::vector<Gauge> gauges;
   std::vector<ZoneReport> reports;
   std::vector<PrescribedFreedom> freedoms;  ///< held and moved
-  double end_of_loading = 0.0;              ///< see Conditions
+  std::vector<double> end_of_loading;       ///< see Conditions
   std::vector<std::string> warnings;
 };
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/closest_name.hpp"
+
 namespace ligament {
 namespace {
 
@@ -16,7 +18,7 @@ std::vector<Index> nodes_at(const Model& model, const BodySelection& selection) 
     return !wanted || std::abs(*wanted - position) <= 1e-9 * size;
   };
   std::vector<Index> rows;
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) {
     const Vector& position = model.nodes.position[i];
     if (matches(selection.x, component(position, 0)) && matches(selection.y, component(position, 1))) {
       rows.push_back(static_cast<Index>(i));
@@ -39,6 +41,12 @@ void add_by_number(const Field<Index>& ids, const std::vector<std::int64_t>& num
   }
 }
 
+std::vector<std::string> names_of(const std::vector<Wall>& walls) {
+  std::vector<std::string> names;
+  for (const Wall& wall : walls) names.push_back(wall.name);
+  return names;
+}
+
 void sort_and_drop_repeats(std::vector<Index>& rows) {
   std::sort(rows.begin(), rows.end());
   rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
@@ -49,6 +57,18 @@ void sort_and_drop_repeats(std::vector<Index>& rows) {
 Index row_of_id(const Field<Index>& ids, std::int64_t id) {
   const auto found = std::find(ids.begin(), ids.end(), id);
   return found == ids.end() ? -1 : static_cast<Index>(found - ids.begin());
+}
+
+std::optional<std::array<Index, 2>> find_wall(const Model& model, const std::string& name, CaseFile& file,
+                                              const TableView& view, const char* key) {
+  for (std::size_t wall = 0; wall < model.walls.size(); ++wall) {
+    if (model.walls[wall].name == name) return model.wall_nodes(wall);
+  }
+  const std::vector<std::string> names = names_of(model.walls);
+  file.add_error(file.position(view, key),
+                 fmt::format("there is no wall '{}' {} (there are: {}){}", name, view.where(),
+                             names.empty() ? "none" : quoted_list(names), did_you_mean(name, names)));
+  return std::nullopt;
 }
 
 SelectedBodies select_bodies(const Model& model, const BodySelection& selection, CaseFile& file,

@@ -35,14 +35,20 @@ Bodies join_all(const Model& model, const State& state) {
   for (const auto& nodes : model.elements.nodes) {
     for (const Index node : nodes) bodies.join(n_particles + nodes[0], n_particles + node);
   }
-  const auto join_contacts = [&](const ContactTable& contacts, auto&& second) {
+  for (std::size_t row = 0; row < state.particle_contacts.size(); ++row) {
+    if (!is_bonded(state.particle_contacts, row)) continue;
+    bodies.join(state.particle_contacts.first[row], state.particle_contacts.second[row]);
+  }
+  // What a wall holds, it holds along its normal alone: see add_held_by_walls().
+  const auto join_interface = [&](const ContactTable& contacts, auto&& second_node) {
     for (std::size_t row = 0; row < contacts.size(); ++row) {
-      if (is_bonded(contacts, row)) bodies.join(contacts.first[row], second(contacts.second[row]));
+      const Index node = second_node(contacts.second[row]);
+      if (!is_bonded(contacts, row) || model.wall_of_node(node) != nullptr) continue;
+      bodies.join(contacts.first[row], n_particles + node);
     }
   };
-  join_contacts(state.particle_contacts, [](Index particle) { return static_cast<std::size_t>(particle); });
-  join_contacts(state.facet_contacts, [&](Index facet) { return n_particles + model.facets.nodes[facet][0]; });
-  join_contacts(state.corner_contacts, [&](Index node) { return n_particles + node; });
+  join_interface(state.facet_contacts, [&](Index facet) { return model.facets.nodes[facet][0]; });
+  join_interface(state.corner_contacts, [](Index node) { return node; });
   return bodies;
 }
 
@@ -96,6 +102,14 @@ void add_held(const Vector& place, const Vector& free, Body& body) {
   }
 }
 
+/// A wall holds a particle that touches it at set-up along its normal, be it by pressure alone.
+void add_held_by_wall(const Model& model, const SetupPair& pair, double size, Body& body) {
+  const auto& [i, j] = model.facets.nodes[pair.second];
+  const Vector edge = model.nodes.position[j] - model.nodes.position[i];
+  const Vector normal = tangent(edge / norm(edge));
+  body.held.push_back({normal.x, normal.y, cross(model.particles.position[pair.first] / size, normal)});
+}
+
 std::map<std::size_t, Body> collect_bodies(const Model& model, const State& state) {
   Bodies joined = join_all(model, state);
   const double size = structure_size(model);
@@ -106,7 +120,11 @@ std::map<std::size_t, Body> collect_bodies(const Model& model, const State& stat
     add_held(model.particles.position[i] / size, model.particles.free[i], body);
     if (model.particles.rotation_free[i] == 0.0) body.held.push_back({0.0, 0.0, 1.0});
   }
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+  for (const SetupPair& pair : model.facet_pairs) {
+    if (model.wall_of_node(model.facets.nodes[pair.second][0]) == nullptr) continue;
+    add_held_by_wall(model, pair, size, bodies[joined.find(pair.first)]);
+  }
+  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) {
     Body& body = bodies[joined.find(model.particles.size() + i)];
     if (body.n_nodes++ == 0) body.example = fmt::format("node {}", model.nodes.id[i]);
     add_held(model.nodes.position[i] / size, model.nodes.free[i], body);

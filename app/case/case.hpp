@@ -30,10 +30,12 @@ struct Case {
   ContactTableOfCase contact;
   GenerationTable generation;
   std::vector<Read<ZoneTable>> zones;
+  std::vector<Read<WallTable>> walls;
   std::vector<Read<SupportTable>> supports;
   std::vector<Read<MotionTable>> motions;
   std::vector<Read<LoadTable>> loads;
   std::vector<Read<GaugeTable>> gauges;
+  PropertiesTable properties;
   SolverTable solver;
   OutputTable output;
   CheckpointTable checkpoint;

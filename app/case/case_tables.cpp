@@ -1,8 +1,22 @@
 #include "case/case_tables.hpp"
 
 namespace ligament {
+namespace {
+
+void declare_stage(Parameters& parameters, std::int64_t& stage) {
+  parameters
+      .integer("stage", stage, "stage of loading it belongs to; a stage begins when the one before is in equilibrium")
+      .at_least(1)
+      .at_most(1000);
+}
+
+}  // namespace
 
 void ProblemTable::declare(Parameters& parameters) {
+  parameters.choice("kind", kind,
+                    {{"structure", CaseKind::structure}, {"assembly_properties", CaseKind::assembly_properties}},
+                    "'structure': what the tables say; 'assembly_properties': the one zone is put between frictionless "
+                    "walls and loaded along x, then along y, for its Young's moduli and Poisson's ratios");
   parameters.choice("plane", plane, {{"stress", PlaneState::stress}, {"strain", PlaneState::strain}},
                     "plane stress or plane strain");
   parameters.quantity("thickness", thickness, "m", "thickness t of the body").required().greater_than(0.0);
@@ -58,6 +72,17 @@ void ZoneTable::declare(Parameters& parameters) {
       .at_least(0.0);
 }
 
+void WallTable::declare(Parameters& parameters) {
+  parameters.point("from", from, "m", "one end of the wall").required();
+  parameters.point("to", to, "m", "the other end; particles are on one side of the wall").required();
+  parameters.choice(
+      "contact", contact, {{"frictional", WallContact::frictional}, {"tied", WallContact::tied}},
+      "'frictional': presses and rubs; 'tied': particles that touch it at set-up are held along its normal "
+      "in tension, too, and are free along it");
+  parameters.number("friction_coefficient", friction_coefficient, "friction coefficient μ between wall and particles")
+      .at_least(0.0);
+}
+
 void BodySelection::declare(Parameters& parameters) {
   Parameters& at = parameters.table("at", "all nodes on a line, or at a point");
   at.quantity("x", x, "m", "position of the nodes");
@@ -77,10 +102,14 @@ void SupportTable::declare(Parameters& parameters) {
 
 void MotionTable::declare(Parameters& parameters) {
   bodies.declare(parameters);
+  parameters.texts("walls", walls, "names of walls");
   parameters.text("direction", direction, "axis of the prescribed motion").required().one_of({"x", "y"});
-  parameters.quantity("velocity", velocity, "m/s", "prescribed velocity").required();
+  parameters.quantity("velocity", velocity, "m/s", "prescribed velocity; or give 'displacement'");
+  parameters.quantity("displacement", displacement, "m", "displacement made until 'stop_time', instead of 'velocity'");
   parameters.quantity("rise_time", rise_time, "s", "time within which the velocity rises linearly").at_least(0.0);
-  parameters.quantity("stop_time", stop_time, "s", "time at which the motion stops").at_least(0.0);
+  parameters.quantity("stop_time", stop_time, "s", "time at which the motion stops, from the beginning of its stage")
+      .at_least(0.0);
+  declare_stage(parameters, stage);
 }
 
 void LoadTable::declare(Parameters& parameters) {
@@ -88,18 +117,39 @@ void LoadTable::declare(Parameters& parameters) {
   parameters.point("force", force, "N", "force on each of the bodies").required();
   parameters.quantity("rise_time", rise_time, "s", "time within which the force rises linearly; 0: suddenly")
       .at_least(0.0);
+  declare_stage(parameters, stage);
 }
 
 void GaugePoint::declare(Parameters& parameters) {
   parameters.integer("node", node, "number of the node").at_least(1);
   parameters.integer("particle", particle, "number of the particle").at_least(1);
+  parameters.text("wall", wall, "name of the wall");
   parameters.text("direction", direction, "axis").required().one_of({"x", "y"});
+}
+
+void GaugeRegion::declare(Parameters& parameters) {
+  parameters.point("from", from, "m", "lower left corner of the region").required();
+  parameters.point("to", to, "m", "upper right corner").required();
+  parameters.text("component", component, "component of the tensor").required().one_of({"xx", "yy", "xy"});
 }
 
 void GaugeTable::declare(Parameters& parameters) {
   displacement.declare(
       parameters.table("displacement", displacement.is_given, "displacement of a node or particle (m)"));
   reaction.declare(parameters.table("reaction", reaction.is_given, "force that holds a supported or driven body (N)"));
+  stress.declare(parameters.table("stress", stress.is_given,
+                                  "mean stress of the particles in a rectangle, tension positive (Pa)"));
+  strain.declare(parameters.table("strain", strain.is_given,
+                                  "mean strain of the particles in a rectangle, shear as half the angle (1)"));
+}
+
+void PropertiesTable::declare(Parameters& parameters) {
+  parameters.number("strain", strain, "compression along either axis").greater_than(0.0).less_than(0.01);
+  parameters.quantity("loading_time", loading_time, "s", "pseudo-time within which the strain is applied")
+      .greater_than(0.0);
+  parameters.number("margin", margin, "distance of the gauge region from the walls over the size of the zone")
+      .at_least(0.0)
+      .less_than(0.5);
 }
 
 void SolverTable::declare(Parameters& parameters) {

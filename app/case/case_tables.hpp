@@ -17,7 +17,11 @@
 /// The tables of a case file: what each may hold, bound to the members that take it.
 namespace ligament {
 
+/// What a case is: a structure under the loads it lists, or a test that sets its own.
+enum class CaseKind { structure, assembly_properties };
+
 struct ProblemTable {
+  CaseKind kind = CaseKind::structure;
   PlaneState plane = PlaneState::stress;
   double thickness = 0.0;
   std::array<double, 2> gravity{};
@@ -70,6 +74,19 @@ struct ZoneTable {
   void declare(Parameters& parameters);
 };
 
+/// How a wall holds the particles that touch it at set-up: by contact alone, or along its normal in tension as well.
+enum class WallContact { frictional, tied };
+
+struct WallTable {
+  std::string name;
+  std::array<double, 2> from{};
+  std::array<double, 2> to{};
+  WallContact contact = WallContact::frictional;
+  double friction_coefficient = 0.0;
+
+  void declare(Parameters& parameters);
+};
+
 /// Which bodies a support, motion or load concerns.
 struct BodySelection {
   std::optional<double> x;
@@ -91,10 +108,13 @@ struct SupportTable {
 struct MotionTable {
   std::string name;
   BodySelection bodies;
+  std::vector<std::string> walls;
   std::string direction;
-  double velocity = 0.0;
+  std::optional<double> velocity;
+  std::optional<double> displacement;
   double rise_time = 0.0;
   std::optional<double> stop_time;
+  std::int64_t stage = 1;
 
   void declare(Parameters& parameters);
 };
@@ -104,6 +124,7 @@ struct LoadTable {
   BodySelection bodies;
   std::array<double, 2> force{};
   double rise_time = 0.0;
+  std::int64_t stage = 1;
 
   void declare(Parameters& parameters);
 };
@@ -113,7 +134,18 @@ struct GaugePoint {
   bool is_given = false;
   std::optional<std::int64_t> node;
   std::optional<std::int64_t> particle;
+  std::optional<std::string> wall;
   std::string direction;
+
+  void declare(Parameters& parameters);
+};
+
+/// A component of a mean over the particles of a rectangle.
+struct GaugeRegion {
+  bool is_given = false;
+  std::array<double, 2> from{};
+  std::array<double, 2> to{};
+  std::string component;
 
   void declare(Parameters& parameters);
 };
@@ -122,6 +154,17 @@ struct GaugeTable {
   std::string name;
   GaugePoint displacement;
   GaugePoint reaction;
+  GaugeRegion stress;
+  GaugeRegion strain;
+
+  void declare(Parameters& parameters);
+};
+
+/// How assembly properties are measured.
+struct PropertiesTable {
+  double strain = 1e-5;
+  double loading_time = 200.0;
+  double margin = 0.15;
 
   void declare(Parameters& parameters);
 };

@@ -1,3 +1,4 @@
+#include "case/assembly_properties.hpp"
 #include "case/case.hpp"
 #include "constitutive/register_laws.hpp"
 #include "core/text_hash.hpp"
@@ -98,15 +99,21 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   read_single(file, "contact", input.contact);
   read_single(file, "generation", input.generation);
   input.zones = read_zones(file);
+  input.walls = read_array<WallTable>(file, "wall");
   input.supports = read_array<SupportTable>(file, "support");
   input.motions = read_array<MotionTable>(file, "motion");
   input.loads = read_array<LoadTable>(file, "load");
   input.gauges = read_array<GaugeTable>(file, "gauge");
+  if (input.problem.kind == CaseKind::assembly_properties) read_single(file, "properties", input.properties);
   read_solver(file, input.solver);
   read_single(file, "output", input.output);
   read_single(file, "checkpoint", input.checkpoint);
   read_single(file, "audit", input.audit);
   file.throw_if_errors();
+  if (input.problem.kind == CaseKind::assembly_properties) {
+    set_up_assembly_properties(input);
+    file.throw_collected_errors();
+  }
   return input;
 }
 

@@ -29,7 +29,7 @@ ExternalForces external_forces(const Simulation& simulation, const std::vector<P
     const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
     const Field<Vector>& free = on_node ? model.nodes.free : model.particles.free;
     const double force = component(reaction(bodies, free, state.clock, freedom.row), freedom.axis);
-    Vector& side = freedom.velocity == 0.0 ? forces.supporting : forces.driving;
+    Vector& side = freedom.motions.empty() ? forces.supporting : forces.driving;
     set_component(side, freedom.axis, component(side, freedom.axis) + force);
   }
   return forces;

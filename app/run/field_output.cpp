@@ -1,6 +1,7 @@
 #include "run/field_output.hpp"
 
 #include "contact/facet_search.hpp"
+#include "integrator/prescribed_motion.hpp"
 #include "mesh/element_properties.hpp"
 
 namespace ligament {
@@ -102,8 +103,15 @@ FieldGroup particle_fields(const Model& model, const State& state) {
   return group;
 }
 
+/// The rows of nodes of the mesh, or of the ends of walls, which come after them.
+template <class T>
+Field<T> part_of(const Field<T>& rows, std::size_t begin, std::size_t end) {
+  return {rows.begin() + static_cast<std::ptrdiff_t>(begin), rows.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
 FieldGroup element_fields(const Model& model, const State& state) {
-  FieldGroup group{.name = "elements", .cell_type = CellType::quad, .points = points_of(model.nodes.position)};
+  const auto of_mesh = [n_mesh = model.n_mesh_nodes()](const auto& rows) { return part_of(rows, 0, n_mesh); };
+  FieldGroup group{.name = "elements", .cell_type = CellType::quad, .points = points_of(of_mesh(model.nodes.position))};
   std::vector<double> strains;
   std::vector<double> stresses;
   for (std::size_t element = 0; element < model.elements.size(); ++element) {
@@ -112,12 +120,27 @@ FieldGroup element_fields(const Model& model, const State& state) {
     strains.insert(strains.end(), strain.begin(), strain.end());
     stresses.insert(stresses.end(), stress.begin(), stress.end());
   }
-  group.point_data = {vectors("displacement", "m", state.nodes.translation.displacement),
-                      vectors("velocity", "m/s", velocities(state.nodes.translation)), integers("id", model.nodes.id)};
+  group.point_data = {vectors("displacement", "m", of_mesh(state.nodes.translation.displacement)),
+                      vectors("velocity", "m/s", of_mesh(velocities(state.nodes.translation))),
+                      integers("id", of_mesh(model.nodes.id))};
   group.cell_data = {{"strain", "1", n_space, std::move(strains)},
                      {"stress", "Pa", n_space, std::move(stresses)},
                      integers("material", model.elements.material),
                      integers("id", model.elements.id)};
+  return group;
+}
+
+FieldGroup wall_fields(const Model& model, const State& state) {
+  const auto of_walls = [&](const auto& rows) { return part_of(rows, model.n_mesh_nodes(), model.nodes.size()); };
+  FieldGroup group{.name = "walls", .cell_type = CellType::line, .points = points_of(of_walls(model.nodes.position))};
+  Field<Vector> reactions;
+  for (std::size_t i = 0; i < group.points.size() / n_space; ++i) {
+    group.connectivity.push_back(static_cast<std::int64_t>(i));
+    const auto row = static_cast<Index>(model.n_mesh_nodes() + i);
+    reactions.push_back(reaction(state.nodes.translation, model.nodes.free, state.clock, row));
+  }
+  group.point_data = {vectors("displacement", "m", of_walls(state.nodes.translation.displacement)),
+                      vectors("reaction", "N", reactions)};
   return group;
 }
 
@@ -136,10 +159,13 @@ FieldGroup contact_fields(const Model& model, const State& state) {
 }
 
 FieldOutput::FieldOutput(const std::filesystem::path& folder)
-    : particles_(folder, "particles"), elements_(folder, "elements"), contacts_(folder, "contacts") {}
+    : particles_(folder, "particles"),
+      elements_(folder, "elements"),
+      contacts_(folder, "contacts"),
+      walls_(folder, "walls") {}
 
 void FieldOutput::resume(std::int64_t last_step) {
-  for (FieldSeries* series : {&particles_, &elements_, &contacts_}) series->resume(last_step);
+  for (FieldSeries* series : {&particles_, &elements_, &contacts_, &walls_}) series->resume(last_step);
 }
 
 void FieldOutput::write(const Model& model, const State& state) {
@@ -154,6 +180,7 @@ void FieldOutput::write(const Model& model, const State& state) {
     write_group(contacts_, contact_fields(model, state));
   }
   if (model.elements.size() > 0) write_group(elements_, element_fields(model, state));
+  if (!model.walls.empty()) write_group(walls_, wall_fields(model, state));
 }
 
 }  // namespace ligament

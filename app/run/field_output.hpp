@@ -9,11 +9,12 @@
 
 namespace ligament {
 
-/// The state as groups of fields for ParaView and other programs: discs at their centres, elements, and contacts as
-/// lines. Points are positions at rest.
+/// The state as groups of fields for ParaView and other programs: discs at their centres, elements, contacts and
+/// walls as lines. Points are positions at rest.
 FieldGroup particle_fields(const Model& model, const State& state);
 FieldGroup element_fields(const Model& model, const State& state);
 FieldGroup contact_fields(const Model& model, const State& state);
+FieldGroup wall_fields(const Model& model, const State& state);
 
 /// The folder fields/ of a run: one immutable file per group and output, and their time series.
 class FieldOutput {
@@ -28,6 +29,7 @@ class FieldOutput {
   FieldSeries particles_;
   FieldSeries elements_;
   FieldSeries contacts_;
+  FieldSeries walls_;
 };
 
 }  // namespace ligament

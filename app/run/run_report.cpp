@@ -26,8 +26,20 @@ std::string describe_time_step(const Case& input, const Simulation& simulation) 
 }  // namespace
 
 ModelSizes model_sizes(const Model& model) {
-  return {model.particles.size(), model.particle_pairs.size(), model.facet_pairs.size() + model.corner_pairs.size(),
-          model.elements.size(), model.nodes.size()};
+  const auto n_facets = static_cast<Index>(model.n_element_facets());
+  const auto n_nodes = static_cast<Index>(model.n_mesh_nodes());
+  const auto count_below = [](const std::vector<SetupPair>& pairs, Index limit) {
+    return static_cast<std::size_t>(
+        std::count_if(pairs.begin(), pairs.end(), [limit](const SetupPair& pair) { return pair.second < limit; }));
+  };
+  const std::size_t n_edge_contacts =
+      count_below(model.facet_pairs, n_facets) + count_below(model.corner_pairs, n_nodes);
+  return {.n_particles = model.particles.size(),
+          .n_contacts = model.particle_pairs.size(),
+          .n_edge_contacts = n_edge_contacts,
+          .n_wall_contacts = model.facet_pairs.size() + model.corner_pairs.size() - n_edge_contacts,
+          .n_elements = model.elements.size(),
+          .n_nodes = model.n_mesh_nodes()};
 }
 
 std::size_t count_broken(const State& state) {
@@ -41,6 +53,9 @@ std::vector<std::string> describe(const Case& input, const BuiltSimulation& buil
   if (!input.title.empty()) lines.push_back(input.title);
   lines.push_back(fmt::format("{} particles, {} contacts, {} edge contacts, {} elements, {} nodes", sizes.n_particles,
                               sizes.n_contacts, sizes.n_edge_contacts, sizes.n_elements, sizes.n_nodes));
+  if (const auto& walls = built.simulation.model().walls; !walls.empty()) {
+    lines.push_back(fmt::format("{} walls, {} particles touch them", walls.size(), sizes.n_wall_contacts));
+  }
   for (const auto& [zone, entries] : built.reports) {
     std::string line = fmt::format("zone {}:", zone);
     for (const auto& [name, value] : entries) line += fmt::format(" {} = {:.6g}", name, value);

@@ -10,7 +10,8 @@ namespace ligament {
 struct ModelSizes {
   std::size_t n_particles = 0;
   std::size_t n_contacts = 0;       ///< bonds between particles at set-up
-  std::size_t n_edge_contacts = 0;  ///< bonds with facets and nodes at set-up
+  std::size_t n_edge_contacts = 0;  ///< bonds with facets and nodes of elements at set-up
+  std::size_t n_wall_contacts = 0;  ///< particles that touch walls at set-up
   std::size_t n_elements = 0;
   std::size_t n_nodes = 0;
 };

@@ -113,17 +113,29 @@ ExitCode Runner::go_on() {
 }
 
 bool Runner::can_converge() const {
-  return input_.solver.unbalanced_force_ratio && std::isfinite(built_.end_of_loading);
+  const StageState& stage = built_.simulation.state().stage;
+  return input_.solver.unbalanced_force_ratio && std::isfinite(built_.end_of_loading[stage.number - 1]);
+}
+
+bool Runner::is_last_stage() const {
+  return built_.simulation.state().stage.number == static_cast<std::int64_t>(built_.end_of_loading.size());
+}
+
+bool Runner::is_stage_complete() {
+  const State& state = built_.simulation.state();
+  // What is in equilibrium while it is still being loaded has not come to its end.
+  const bool is_loaded = state.clock.time - state.stage.begin_time >= built_.end_of_loading[state.stage.number - 1];
+  const bool has_moved = state.stage.number == 1 || step() > state.stage.begin_step;
+  if (!can_converge() || !is_loaded || !has_moved || !is_due(input_.solver.check_every)) return false;
+  const Unbalance unbalance = built_.simulation.unbalance();
+  if (!std::isfinite(unbalance.largest_resultant)) check_finite();
+  return unbalance.ratio() <= *input_.solver.unbalanced_force_ratio;
 }
 
 std::optional<Ending> Runner::find_ending() {
-  // What is in equilibrium while it is still being loaded has not come to its end.
-  const bool is_loaded = built_.simulation.state().clock.time >= built_.end_of_loading;
-  if (can_converge() && is_loaded && is_due(input_.solver.check_every)) {
-    const Unbalance unbalance = built_.simulation.unbalance();
-    if (!std::isfinite(unbalance.largest_resultant)) check_finite();
-    if (unbalance.ratio() <= *input_.solver.unbalanced_force_ratio) return Ending::converged;
-  }
+  const bool is_complete = is_stage_complete();
+  if (is_complete && is_last_stage()) return Ending::converged;
+  stage_is_complete_ = is_complete;
   if (step() >= input_.solver.max_steps) {
     return can_converge() ? Ending::not_converged : Ending::completed;
   }
@@ -143,19 +155,30 @@ std::optional<Ending> Runner::find_ending() {
 }
 
 void Runner::handle_boundary(std::optional<Ending> ending) {
-  const bool is_end = ending && is_final(*ending);
+  const bool is_end = stage_is_complete_ || (ending && is_final(*ending));
   if (is_due(input_.output.every) || is_end) {
     check_finite();
     table_.show(results_->write_row(built_));
   }
   const bool fields_are_due = input_.output.fields_every && is_due(*input_.output.fields_every);
   if (fields_are_due || is_end) results_->write_fields(built_.simulation);
+  if (stage_is_complete_) finish_stage();
   // Last, so that it stands for everything this boundary has written.
   if (is_due(input_.checkpoint.every) || ending || wants_checkpoint_) {
     save_checkpoint(ending.has_value() || wants_checkpoint_);
     wants_checkpoint_ = false;
   }
   table_.show_progress(step());
+}
+
+void Runner::finish_stage() {
+  std::vector<double> readings;
+  const Simulation& simulation = built_.simulation;
+  for (const Gauge& gauge : built_.gauges) readings.push_back(gauge.value(simulation.model(), simulation.state()));
+  console_.line(fmt::format("stage {} of {} in equilibrium at step {}", simulation.state().stage.number,
+                            built_.end_of_loading.size(), step()));
+  built_.simulation.finish_stage(readings);
+  stage_is_complete_ = false;
 }
 
 void Runner::save_checkpoint(bool is_asked_for) {

@@ -34,11 +34,16 @@ class Runner {
   ExitCode go_on();
   /// Throws FileError if starting anew would overwrite what a run has reached.
   void refuse_to_lose_results() const;
-  /// Whether the case asks for convergence, and loads and motions come to an end.
+  /// Whether the case asks for convergence, and loads and motions of the stage come to an end.
   [[nodiscard]] bool can_converge() const;
+  /// Whether the stage of loading has come to its end: fully loaded and in equilibrium.
+  bool is_stage_complete();
+  [[nodiscard]] bool is_last_stage() const;
   /// Why the run ends at this boundary, if it does.
   std::optional<Ending> find_ending();
   void handle_boundary(std::optional<Ending> ending);
+  /// Writes the state of equilibrium that a stage ends in, and begins the next one.
+  void finish_stage();
   void save_checkpoint(bool is_asked_for);
   void check_finite();
   ExitCode finish(Ending ending);
@@ -57,6 +62,7 @@ class Runner {
   std::string last_checkpoint_ = "none";
   std::int64_t checkpoint_step_ = -1;  ///< of the last one
   bool wants_checkpoint_ = false;      ///< asked for by a signal
+  bool stage_is_complete_ = false;     ///< at this boundary, with more stages to come
   std::string divergence_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "case/assembly_properties.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
 #include "run/external_forces.hpp"
@@ -58,11 +59,25 @@ Json force_mismatch(const BuiltSimulation& built, Ending ending) {
   return mismatch ? Json(*mismatch) : Json(nullptr);
 }
 
-/// The values of the gauges at the end.
-Json results(const BuiltSimulation& built) {
+void add_properties(const std::string& prefix, const AssemblyProperties& properties, Json& values) {
+  values[prefix + "young_modulus_x_Pa"] = properties.young_modulus_x;
+  values[prefix + "poisson_ratio_x"] = properties.poisson_ratio_x;
+  values[prefix + "young_modulus_y_Pa"] = properties.young_modulus_y;
+  values[prefix + "poisson_ratio_y"] = properties.poisson_ratio_y;
+}
+
+/// The values of the gauges at the end, and what the kind of case asks for once it is complete.
+Json results(const Case& input, const BuiltSimulation& built, Ending ending) {
   Json values = Json::object();
+  const State& state = built.simulation.state();
+  std::vector<double> readings = state.stage.readings;
+  std::size_t row = (state.stage.number - 1) * built.gauges.size();
   for (const Gauge& gauge : built.gauges) {
-    values[gauge.column] = gauge.value(built.simulation.model(), built.simulation.state());
+    values[gauge.column] = readings[row++] = gauge.value(built.simulation.model(), state);
+  }
+  if (input.problem.kind == CaseKind::assembly_properties && ending == Ending::converged) {
+    add_properties("", wall_properties(input, readings), values);
+    add_properties("region_", region_properties(readings), values);
   }
   return values;
 }
@@ -87,6 +102,7 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
             {"n_particles", sizes.n_particles},
             {"n_contacts", sizes.n_contacts},
             {"n_edge_contacts", sizes.n_edge_contacts},
+            {"n_wall_contacts", sizes.n_wall_contacts},
             {"n_elements", sizes.n_elements},
             {"n_broken", count_broken(simulation.state())},
             {"unbalanced_force_ratio", unbalance.ratio()},
@@ -101,7 +117,7 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
   if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;
   if (!summary.divergence.empty()) json["divergence"] = summary.divergence;
   if (!built.reports.empty()) json["packing"] = packings(built);
-  json["results"] = results(built);
+  json["results"] = results(input, built, summary.ending);
   write_atomically(directory.file("summary.json"), json.dump(2) + "\n");
   return passed;
 }

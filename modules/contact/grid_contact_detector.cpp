@@ -51,11 +51,16 @@ double largest_over_particles(const Model& model, Reach&& reach) {
   return largest;
 }
 
+/// The law of a pair that is new.
+Index law_of_new(const PairLaws& laws, bool is_setup_pair) {
+  return is_setup_pair && laws.bond >= 0 ? laws.bond : laws.contact;
+}
+
 /// The pairs found, joined by the bonds of the table, which hold at any distance, each with the row it has now.
-/// `is_bonded` tells of new pairs whether they are.
-template <class IsBonded, class MaterialOf>
+/// `law_of` tells the law of new pairs.
+template <class LawOf>
 std::vector<ContactCandidate> candidates(const ContactTable& contacts, const std::vector<SetupPair>& found,
-                                         IsBonded&& is_bonded, MaterialOf&& material_of) {
+                                         LawOf&& law_of) {
   std::map<SetupPair, Index> rows;
   std::vector<ContactCandidate> all;
   for (std::size_t row = 0; row < contacts.size(); ++row) {
@@ -67,8 +72,7 @@ std::vector<ContactCandidate> candidates(const ContactTable& contacts, const std
   for (const SetupPair& pair : found) {
     const auto known = rows.find(pair);
     if (known == rows.end()) {
-      const Material& material = material_of(pair);
-      all.push_back({is_bonded(pair) ? material.bond_law : material.contact_law, pair.first, pair.second, -1});
+      all.push_back({law_of(pair), pair.first, pair.second, -1});
       continue;
     }
     const Index row = known->second;
@@ -189,9 +193,9 @@ void GridContactDetector::rebuild_particle_contacts(const Model& model, State& s
   found.erase(std::unique(found.begin(), found.end()), found.end());
 
   ContactTable& contacts = state.particle_contacts;
-  const std::vector<ContactCandidate> kept = candidates(
-      contacts, found, [&](const SetupPair& pair) { return is_setup && is_setup_pair(model.particle_pairs, pair); },
-      [&](const SetupPair& pair) -> const Material& { return particle_contact_material(model, pair); });
+  const std::vector<ContactCandidate> kept = candidates(contacts, found, [&](const SetupPair& pair) {
+    return law_of_new(particle_laws(model, pair), is_setup && is_setup_pair(model.particle_pairs, pair));
+  });
   book_dropped(model, contacts, kept, nullptr, state.ledger);
   for (const std::size_t row : rebuild_rows(model, contacts, kept)) {
     fill_particle_contact(model, state, contacts, row);
@@ -209,13 +213,12 @@ void GridContactDetector::rebuild_interface_contacts(const Model& model, State& 
   join(found.facets, model.facet_pairs);
   join(found.corners, model.corner_pairs);
 
-  const auto material_of = [&](const SetupPair& pair) -> const Material& { return interface_material(model, pair); };
-  const auto facet_candidates = candidates(
-      state.facet_contacts, found.facets,
-      [&](const SetupPair& pair) { return is_setup && is_setup_pair(model.facet_pairs, pair); }, material_of);
-  const auto corner_candidates = candidates(
-      state.corner_contacts, found.corners,
-      [&](const SetupPair& pair) { return is_setup && is_setup_pair(model.corner_pairs, pair); }, material_of);
+  const auto facet_candidates = candidates(state.facet_contacts, found.facets, [&](const SetupPair& pair) {
+    return law_of_new(facet_laws(model, pair), is_setup && is_setup_pair(model.facet_pairs, pair));
+  });
+  const auto corner_candidates = candidates(state.corner_contacts, found.corners, [&](const SetupPair& pair) {
+    return law_of_new(corner_laws(model, pair), is_setup && is_setup_pair(model.corner_pairs, pair));
+  });
 
   const SlidingContacts sliding(model, state, facet_candidates, corner_candidates);
   book_dropped(model, state.facet_contacts, facet_candidates, &sliding, state.ledger);

@@ -97,6 +97,15 @@ void visit_fields(Table& table, Visitor&& visit) {
   visit("n_updates", n_updates, FieldRole::physics);
 }
 
+template <TableOf<StageState> Table, class Visitor>
+void visit_fields(Table& table, Visitor&& visit) {
+  auto& [number, begin_step, begin_time, readings] = table;
+  visit("number", number, FieldRole::physics);
+  visit("begin_step", begin_step, FieldRole::physics);
+  visit("begin_time", begin_time, FieldRole::physics);
+  visit("readings", readings, FieldRole::sampled);
+}
+
 template <TableOf<RelaxationState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
   auto& [damping, particle_force, particle_moment, node_force] = table;
@@ -119,8 +128,8 @@ void visit_fields(Table& table, Visitor&& visit) {
 /// All fields of the state, as visit(name, field, role), names as "<table>.<field>".
 template <TableOf<State> Table, class Visitor>
 void visit_fields(Table& state, Visitor&& visit) {
-  auto& [clock, particles, nodes, particle_contacts, facet_contacts, corner_contacts, search, relaxation, ledger] =
-      state;
+  auto& [clock, particles, nodes, particle_contacts, facet_contacts, corner_contacts, search, stage, relaxation,
+         ledger] = state;
   const auto visit_table = [&visit](const std::string& name, auto& table) {
     visit_fields(table, [&](const std::string& field_name, auto& field, FieldRole role) {
       visit(name + "." + field_name, field, role);
@@ -133,6 +142,7 @@ void visit_fields(Table& state, Visitor&& visit) {
   visit_table("facet_contacts", facet_contacts);
   visit_table("corner_contacts", corner_contacts);
   visit_table("search", search);
+  visit_table("stage", stage);
   visit_table("relaxation", relaxation);
   visit_table("ledger", ledger);
 }

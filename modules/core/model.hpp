@@ -97,6 +97,14 @@ struct SetupPair {
   friend auto operator<=>(const SetupPair&, const SetupPair&) = default;
 };
 
+/// A rigid segment whose motion is prescribed: a facet without an element. Its two end nodes follow those of the mesh
+/// in Model::nodes, its facet those of the elements in Model::facets, wall by wall.
+struct Wall {
+  std::string name;
+  Index bond_law = -1;     ///< row of Model::laws for particles tied to it at set-up; -1 if it ties none
+  Index contact_law = -1;  ///< row of Model::laws for all other particles
+};
+
 struct Model {
   double thickness = 1.0;  ///< t (m)
   PlaneState plane = PlaneState::stress;
@@ -108,12 +116,26 @@ struct Model {
   NodeData nodes;
   ElementData elements;
   FacetData facets;
+  std::vector<Wall> walls;
 
   /// Sorted. These pairs keep their distance at set-up as reference for ever, so that a cut or broken bond that closes
   /// again finds no overlap it never had.
   std::vector<SetupPair> particle_pairs;
   std::vector<SetupPair> facet_pairs;
   std::vector<SetupPair> corner_pairs;
+
+  [[nodiscard]] std::size_t n_mesh_nodes() const { return nodes.size() - 2 * walls.size(); }
+  [[nodiscard]] std::size_t n_element_facets() const { return facets.size() - walls.size(); }
+  /// The nodes at the ends of a wall.
+  [[nodiscard]] std::array<Index, 2> wall_nodes(std::size_t wall) const {
+    return facets.nodes[n_element_facets() + wall];
+  }
+  /// The wall that a node is an end of; null for nodes of the mesh.
+  [[nodiscard]] const Wall* wall_of_node(Index node) const {
+    const std::size_t n_before = n_mesh_nodes();
+    const auto row = static_cast<std::size_t>(node);
+    return row < n_before ? nullptr : &walls[(row - n_before) / 2];
+  }
 };
 
 }  // namespace ligament

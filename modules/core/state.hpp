@@ -97,6 +97,14 @@ struct SearchState {
   std::int64_t n_updates = 0;
 };
 
+/// Loading comes in stages, each carried to equilibrium before the next one begins.
+struct StageState {
+  std::int64_t number = 1;      ///< of the stage under way
+  std::int64_t begin_step = 0;  ///< n at which it began
+  double begin_time = 0.0;      ///< t at which it began (s)
+  Field<double> readings;       ///< of all gauges at the ends of the stages before, stage by stage
+};
+
 /// What adaptive damping remembers: the internal forces of the step before.
 struct RelaxationState {
   double damping = 0.0;  ///< c of the step (1/s)
@@ -113,6 +121,7 @@ struct State {
   ContactTable facet_contacts;
   ContactTable corner_contacts;
   SearchState search;
+  StageState stage;
   RelaxationState relaxation;
   EnergyLedger ledger;
 };

@@ -7,8 +7,10 @@ namespace {
 
 constexpr const char* line = "applied_loads";
 
-/// Share of the load that acts at this time.
-double share_at(const PointLoad& load, double time) {
+/// Share of the load that acts at time n.
+double share_at(const PointLoad& load, const State& state) {
+  if (state.stage.number != load.stage) return state.stage.number > load.stage ? 1.0 : 0.0;
+  const double time = state.clock.time - state.stage.begin_time;
   return load.rise_time > 0.0 ? std::min(1.0, time / load.rise_time) : 1.0;
 }
 
@@ -16,7 +18,7 @@ double share_at(const PointLoad& load, double time) {
 
 void AppliedLoads::add_forces(const Model& /*model*/, State& state) {
   for (const PointLoad& load : loads_) {
-    const double share = share_at(load, state.clock.time);
+    const double share = share_at(load, state);
     if (load.body == PointLoad::Body::node) {
       state.nodes.translation.force[load.row] += share * load.force;
     } else {
@@ -33,7 +35,7 @@ void AppliedLoads::book_work(const Model& /*model*/, State& state) {
   for (const PointLoad& load : loads_) {
     const bool on_node = load.body == PointLoad::Body::node;
     const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
-    const double share = share_at(load, state.clock.time);
+    const double share = share_at(load, state);
     const Vector force = share * load.force;
     behind += 0.5 * dot(force, bodies.increment[load.row]);
     ahead += 0.5 * time_step * dot(force, bodies.velocity[load.row]);

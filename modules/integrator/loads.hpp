@@ -4,7 +4,8 @@
 
 namespace ligament {
 
-/// A force on one body, risen linearly within `rise_time` (s), at once if that is 0.
+/// A force on one body, risen linearly within `rise_time` (s) from the beginning of its stage, at once if that is 0; it
+/// stays on in all later stages.
 struct PointLoad {
   enum class Body { node, particle };
   Body body = Body::node;
@@ -12,6 +13,7 @@ struct PointLoad {
   Vector force{};          ///< (N)
   Moment moment = 0.0;     ///< particles only (N m)
   double rise_time = 0.0;  ///< (s)
+  std::int64_t stage = 1;
 };
 
 /// Forces that the case applies to nodes and particles.

@@ -7,10 +7,17 @@ namespace {
 
 constexpr const char* line = "prescribed_motions";
 
-double velocity_at(const PrescribedFreedom& freedom, double time) {
-  if (freedom.stop_time >= 0.0 && time >= freedom.stop_time) return 0.0;
-  const double share = freedom.rise_time > 0.0 ? std::min(1.0, time / freedom.rise_time) : 1.0;
-  return share * freedom.velocity;
+double velocity_at(const StageVelocity& motion, double time) {
+  if (motion.stop_time >= 0.0 && time >= motion.stop_time) return 0.0;
+  const double share = motion.rise_time > 0.0 ? std::min(1.0, time / motion.rise_time) : 1.0;
+  return share * motion.velocity;
+}
+
+double velocity_at(const PrescribedFreedom& freedom, const StageState& stage, double time) {
+  for (const StageVelocity& motion : freedom.motions) {
+    if (motion.stage == stage.number) return velocity_at(motion, time - stage.begin_time);
+  }
+  return 0.0;
 }
 
 /// What a freedom's equation of motion is made of.
@@ -57,7 +64,7 @@ void PrescribedMotion::apply(const Model& /*model*/, State& state) {
   // The velocity of the step ahead belongs to its middle.
   const double time = state.clock.time + 0.5 * state.clock.time_step;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    const double velocity = velocity_at(freedom, time);
+    const double velocity = velocity_at(freedom, state.stage, time);
     if (freedom.axis == dimension) {
       state.particles.rotation.spin[freedom.row] = velocity;
     } else {

@@ -4,15 +4,21 @@
 
 namespace ligament {
 
-/// One freedom whose velocity is prescribed; a support has velocity 0.
+/// A velocity within one stage of loading; times count from the beginning of the stage.
+struct StageVelocity {
+  std::int64_t stage = 1;
+  double velocity = 0.0;    ///< (m/s, rad/s)
+  double rise_time = 0.0;   ///< within which the velocity rises linearly (s)
+  double stop_time = -1.0;  ///< after which the body stands still (s); never if negative
+};
+
+/// One freedom whose velocity is prescribed. It stands still in stages without a velocity: a support has none.
 struct PrescribedFreedom {
   enum class Body { node, particle };
   Body body = Body::node;
   Index row = 0;
-  int axis = 0;             ///< component of the translation; `dimension` for the rotation of a particle
-  double velocity = 0.0;    ///< (m/s, rad/s)
-  double rise_time = 0.0;   ///< within which the velocity rises linearly (s)
-  double stop_time = -1.0;  ///< after which the body stands still (s); never if negative
+  int axis = 0;  ///< component of the translation; `dimension` for the rotation of a particle
+  std::vector<StageVelocity> motions = {};
 };
 
 /// Supports and prescribed motions.

@@ -48,6 +48,8 @@ CriticalTimeStep critical_time_step(const Model& model, const State& state, cons
         model.particles.id[i]);
   }
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    // The mass of a node that is held in every direction, as the ends of walls are, says nothing.
+    if (model.nodes.free[i] == Vector{}) continue;
     see(bounds.node_translation[i], state.nodes.translation.mass[i], "node", model.nodes.id[i]);
   }
   const double time_step = largest > 0.0 ? 2.0 / std::sqrt(largest) : std::numeric_limits<double>::infinity();

@@ -43,14 +43,14 @@ TEST_CASE("prescribed freedoms are taken from the integrator, the others are not
 
 TEST_CASE("velocities rise, hold and stop and they are those of the middle of the step") {
   const PrescribedFreedom freedom{
-      .body = Body::node, .row = 0, .axis = 0, .velocity = 3.0, .rise_time = 2.0, .stop_time = 5.0};
+      .body = Body::node, .row = 0, .axis = 0, .motions = {{.velocity = 3.0, .rise_time = 2.0, .stop_time = 5.0}}};
   CHECK(velocity_at(freedom, 0.0, 0.5) == 3.0 * 0.125);
   CHECK(velocity_at(freedom, 0.75, 0.5) == 1.5);
   CHECK(velocity_at(freedom, 1.75, 0.5) == 3.0);
   CHECK(velocity_at(freedom, 4.5, 0.5) == 3.0);
   CHECK(velocity_at(freedom, 4.75, 0.5) == 0.0);
   CHECK(velocity_at(freedom, 9.0, 0.5) == 0.0);
-  const PrescribedFreedom endless{.body = Body::node, .row = 0, .axis = 0, .velocity = 3.0};
+  const PrescribedFreedom endless{.body = Body::node, .row = 0, .axis = 0, .motions = {{.velocity = 3.0}}};
   CHECK(velocity_at(endless, 0.0, 0.5) == 3.0);
   CHECK(velocity_at(endless, 1e9, 0.5) == 3.0);
 }
@@ -58,9 +58,9 @@ TEST_CASE("velocities rise, hold and stop and they are those of the middle of th
 TEST_CASE("all kinds of freedom are moved") {
   Model model = bodies();
   State state = resting_state(model);
-  PrescribedMotion({{.body = Body::node, .row = 0, .axis = 1, .velocity = 1.0},
-                    {.body = Body::particle, .row = 0, .axis = 0, .velocity = 2.0},
-                    {.body = Body::particle, .row = 0, .axis = dimension, .velocity = 3.0}})
+  PrescribedMotion({{.body = Body::node, .row = 0, .axis = 1, .motions = {{.velocity = 1.0}}},
+                    {.body = Body::particle, .row = 0, .axis = 0, .motions = {{.velocity = 2.0}}},
+                    {.body = Body::particle, .row = 0, .axis = dimension, .motions = {{.velocity = 3.0}}}})
       .apply(model, state);
   CHECK(state.nodes.translation.velocity[0] == Vector{0.0, 1.0});
   CHECK(state.particles.translation.velocity[0] == Vector{2.0, 0.0});
@@ -69,7 +69,7 @@ TEST_CASE("all kinds of freedom are moved") {
 
 TEST_CASE("the reaction is what the motion shows beyond the resultant, and works on both sides of its time") {
   Model model = bodies();
-  PrescribedMotion motion({{.body = Body::node, .row = 0, .axis = 0, .velocity = 3.0}});
+  PrescribedMotion motion({{.body = Body::node, .row = 0, .axis = 0, .motions = {{.velocity = 3.0}}}});
   motion.fix(model);
   State state = resting_state(model);
   state.clock.time_step = state.clock.time_step_before = 0.5;

@@ -77,7 +77,8 @@ TEST_CASE("prescribed velocities are kept to the step, rise, stop, and their wor
   const auto right = last_section(model);
   SimulationChoice choice;
   for (const Index node : left) {
-    choice.prescribed.push_back({.row = node, .axis = 0, .velocity = 0.1, .rise_time = 0.25, .stop_time = 0.75});
+    choice.prescribed.push_back(
+        {.row = node, .axis = 0, .motions = {{.velocity = 0.1, .rise_time = 0.25, .stop_time = 0.75}}});
   }
   Simulation simulation = make_simulation(std::move(model), std::move(choice));
   const TranslationState& nodes = simulation.state().nodes.translation;
@@ -98,7 +99,8 @@ TEST_CASE("prescribed velocities are kept to the step, rise, stop, and their wor
 
 TEST_CASE("a prescribed spin turns a free disc, and its work is the energy of the rotation") {
   SimulationChoice choice;
-  choice.prescribed = {{.body = PrescribedFreedom::Body::particle, .row = 0, .axis = dimension, .velocity = 2.0}};
+  choice.prescribed = {
+      {.body = PrescribedFreedom::Body::particle, .row = 0, .axis = dimension, .motions = {{.velocity = 2.0}}}};
   Simulation simulation = single_disc(1e-2, std::move(choice));
   run(simulation, 100);
   CHECK(simulation.state().particles.rotation.rotation[0] == doctest::Approx(2.0).epsilon(1e-13));

@@ -1,0 +1,74 @@
+#include "build/build_walls.hpp"
+
+#include <fmt/format.h>
+
+#include "constitutive/batch_law.hpp"
+#include "constitutive/tied.hpp"
+
+namespace ligament {
+namespace {
+
+template <PointLaw Law>
+Index add_law(Model& model, std::string name, Law law) {
+  model.laws.push_back({std::move(name), std::make_shared<BatchLaw<Law>>(law), Law::n_history});
+  return static_cast<Index>(model.laws.size() - 1);
+}
+
+Wall make_wall(const WallTable& table, Model& model) {
+  Wall wall{.name = table.name};
+  if (table.contact == WallContact::tied) {
+    wall.bond_law = add_law(model, fmt::format("wall.{}.tie", table.name), Tied{table.friction_coefficient});
+  }
+  wall.contact_law = add_law(model, fmt::format("wall.{}.contact", table.name), Frictional{table.friction_coefficient});
+  return wall;
+}
+
+Vector mean_centre(const ParticleData& particles) {
+  Vector sum;
+  for (const Vector& centre : particles.position) sum += centre;
+  return sum / static_cast<double>(particles.size());
+}
+
+/// A nominal mass: it never moves the wall, and enters its reaction only while the wall accelerates.
+double mean_mass(const ParticleData& particles) {
+  double sum = 0.0;
+  for (const double mass : particles.real_mass) sum += mass;
+  return sum > 0.0 ? sum / static_cast<double>(particles.size()) : 1.0;
+}
+
+void add_nodes(const WallTable& table, const Vector& inside, double mass, Model& model) {
+  Vector from = to_vector(table.from);
+  Vector to = to_vector(table.to);
+  // Facets have their body on the left and face what is on the right.
+  if (cross(to - from, inside - from) > 0.0) std::swap(from, to);
+  const auto first = static_cast<Index>(model.nodes.size());
+  for (const Vector& end : {from, to}) {
+    model.nodes.position.push_back(end);
+    model.nodes.real_mass.push_back(mass);
+    model.nodes.id.push_back(0);
+    model.nodes.free.push_back(uniform_vector(1.0));
+  }
+  model.facets.nodes.push_back({first, first + 1});
+  model.facets.element.push_back(-1);
+}
+
+}  // namespace
+
+void add_walls(Case& input, Model& model) {
+  for (const auto& [table, view] : input.walls) {
+    if (table.from == table.to) {
+      input.file.add_error(input.file.position(view, "to"), fmt::format("the wall has no length {}", view.where()));
+    } else if (model.particles.size() == 0) {
+      input.file.add_error(
+          input.file.position(view),
+          fmt::format("there are no particles for the wall to touch {}: give a [[zone]]", view.where()));
+    }
+  }
+  input.file.throw_collected_errors();
+  for (const auto& [table, view] : input.walls) {
+    add_nodes(table, mean_centre(model.particles), mean_mass(model.particles), model);
+    model.walls.push_back(make_wall(table, model));
+  }
+}
+
+}  // namespace ligament

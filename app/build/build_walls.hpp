@@ -1,0 +1,12 @@
+#pragma once
+
+#include "case/case.hpp"
+#include "core/model.hpp"
+
+namespace ligament {
+
+/// Adds the walls of a case to a model whose particles and elements are complete, each facing the particles. What is
+/// wrong with them becomes errors of the case file.
+void add_walls(Case& input, Model& model);
+
+}  // namespace ligament

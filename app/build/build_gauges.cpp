@@ -72,15 +72,16 @@ Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bo
           }};
 }
 
-void check_is_held(Case& input, const Model& model, const std::vector<WatchedBody>& bodies, const TableView& view) {
+void check_is_held(Case& input, const Model& model, const std::vector<WatchedBody>& bodies,
+                   const std::string& direction, const TableView& view) {
   const bool is_held = std::all_of(bodies.begin(), bodies.end(), [&](const WatchedBody& body) {
     return component(body.free(model)[body.row], body.axis) == 0.0;
   });
   if (is_held) return;
   input.file.add_error(input.file.position(view, "reaction"),
-                       fmt::format("nothing holds or moves this body along its direction {}: it has no reaction; take "
-                                   "one of a [[support]] or [[motion]]",
-                                   view.where()));
+                       fmt::format("nothing holds or moves this body along {} {}: it has no reaction; take one "
+                                   "of a [[support]] or [[motion]]",
+                                   direction, view.where()));
 }
 
 double component(const SymmetricTensor& tensor, const std::string& name) {
@@ -118,7 +119,7 @@ Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, cons
   }
   if (table.reaction.is_given) {
     const auto bodies = find_bodies(input, model, table.reaction, view, "reaction");
-    check_is_held(input, model, bodies, view);
+    check_is_held(input, model, bodies, table.reaction.direction, view);
     return reaction_gauge(table.name, bodies);
   }
   if (table.stress.is_given) {

@@ -23,20 +23,14 @@ Wall make_wall(const WallTable& table, Model& model) {
   return wall;
 }
 
+/// Walls face the side that this is on.
 Vector mean_centre(const ParticleData& particles) {
   Vector sum;
   for (const Vector& centre : particles.position) sum += centre;
   return sum / static_cast<double>(particles.size());
 }
 
-/// A nominal mass: it never moves the wall, and enters its reaction only while the wall accelerates.
-double mean_mass(const ParticleData& particles) {
-  double sum = 0.0;
-  for (const double mass : particles.real_mass) sum += mass;
-  return sum > 0.0 ? sum / static_cast<double>(particles.size()) : 1.0;
-}
-
-void add_nodes(const WallTable& table, const Vector& inside, double mass, Model& model) {
+void add_nodes(const WallTable& table, const Vector& inside, Model& model) {
   Vector from = to_vector(table.from);
   Vector to = to_vector(table.to);
   // Facets have their body on the left and face what is on the right.
@@ -44,7 +38,7 @@ void add_nodes(const WallTable& table, const Vector& inside, double mass, Model&
   const auto first = static_cast<Index>(model.nodes.size());
   for (const Vector& end : {from, to}) {
     model.nodes.position.push_back(end);
-    model.nodes.real_mass.push_back(mass);
+    model.nodes.real_mass.push_back(0.0);
     model.nodes.id.push_back(0);
     model.nodes.free.push_back(uniform_vector(1.0));
   }
@@ -66,7 +60,7 @@ void add_walls(Case& input, Model& model) {
   }
   input.file.throw_collected_errors();
   for (const auto& [table, view] : input.walls) {
-    add_nodes(table, mean_centre(model.particles), mean_mass(model.particles), model);
+    add_nodes(table, mean_centre(model.particles), model);
     model.walls.push_back(make_wall(table, model));
   }
 }

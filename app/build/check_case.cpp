@@ -115,11 +115,44 @@ void check_zones(Case& input) {
   }
 }
 
+/// Whether a wall has points inside a zone, off its border (after Liang and Barsky).
+bool runs_through(const WallTable& wall, const ZoneTable& zone) {
+  const Vector from = to_vector(wall.from);
+  const Vector along = to_vector(wall.to) - from;
+  double enter = 0.0;
+  double leave = 1.0;
+  for (int axis = 0; axis < dimension; ++axis) {
+    const double tolerance = 1e-9 * (zone.to[axis] - zone.from[axis]);
+    const double low = zone.from[axis] + tolerance - component(from, axis);
+    const double high = zone.to[axis] - tolerance - component(from, axis);
+    const double length = component(along, axis);
+    if (length == 0.0) {
+      if (low > 0.0 || high < 0.0) return false;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / length, high / length));
+    leave = std::min(leave, std::max(low / length, high / length));
+  }
+  return enter < leave;
+}
+
+void check_walls(Case& input) {
+  for (const auto& [wall, view] : input.walls) {
+    for (const auto& zone : input.zones) {
+      if (!runs_through(wall, zone.table)) continue;
+      input.file.add_error(input.file.position(view, "from"),
+                           fmt::format("the wall runs through zone '{}' {}: it may touch its border, no more",
+                                       zone.table.name, view.where()));
+    }
+  }
+}
+
 }  // namespace
 
 void check_case(Case& input) {
   check_mesh(input);
   check_zones(input);
+  check_walls(input);
   if (!input.mesh && input.zones.empty()) {
     input.file.add_error({}, "there is nothing to calculate: give a [mesh], a [[zone]], or both");
   }

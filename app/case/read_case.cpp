@@ -104,7 +104,12 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   input.motions = read_array<MotionTable>(file, "motion");
   input.loads = read_array<LoadTable>(file, "load");
   input.gauges = read_array<GaugeTable>(file, "gauge");
-  if (input.problem.kind == CaseKind::assembly_properties) read_single(file, "properties", input.properties);
+  if (input.problem.kind == CaseKind::assembly_properties || file.has("properties")) {
+    read_single(file, "properties", input.properties);
+  }
+  if (input.problem.kind != CaseKind::assembly_properties && file.has("properties")) {
+    file.add_error(file.position(file.table("properties")), "[properties] is for kind = \"assembly_properties\" alone");
+  }
   read_solver(file, input.solver);
   read_single(file, "output", input.output);
   read_single(file, "checkpoint", input.checkpoint);

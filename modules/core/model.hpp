@@ -27,8 +27,8 @@ struct ParticleData {
 /// Nodes of finite elements: translations only.
 struct NodeData {
   Field<Vector> position;   ///< at rest (m)
-  Field<double> real_mass;  ///< lumped by row sums (kg)
-  Field<Index> id;          ///< number in the full grid, counted from 1
+  Field<double> real_mass;  ///< lumped by row sums; 0 at the ends of walls (kg)
+  Field<Index> id;          ///< number in the full grid, counted from 1; 0 at the ends of walls
   Field<Vector> free;       ///< see ParticleData::free
 
   [[nodiscard]] std::size_t size() const { return position.size(); }

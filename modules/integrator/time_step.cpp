@@ -58,7 +58,10 @@ CriticalTimeStep critical_time_step(const Model& model, const State& state, cons
 
 void use_real_masses(const Model& model, State& state) {
   state.particles.translation.mass = model.particles.real_mass;
+  // Ends of walls weigh nothing; held as they are, they need a mass to divide by, and no more.
+  constexpr double next_to_nothing = 1e-30;
   state.nodes.translation.mass = model.nodes.real_mass;
+  for (double& mass : state.nodes.translation.mass) mass = std::max(mass, next_to_nothing);
   for (std::size_t i = 0; i < model.particles.size(); ++i) {
     state.particles.rotation.inertia[i] =
         0.5 * model.particles.real_mass[i] * model.particles.radius[i] * model.particles.radius[i];

@@ -94,11 +94,12 @@ def named_components(file: SourceFile) -> Iterator[Finding]:
 
 
 def knows_the_dimension(file: SourceFile) -> bool:
-    """Meshes and assemblies are laid out along axes, edges have two ends, and case files name the axes."""
+    """Meshes, assemblies and regions are laid out along axes, edges have two ends, tensors have components by the
+    names of axes, and so do case files."""
     return (
         file.path == "modules/core/vector.hpp"
         or file.is_in("modules/mesh", "modules/generation", "app/case", "app/build")
-        or any(word in file.name for word in ("edge", "facet", "corner"))
+        or any(word in file.name for word in ("edge", "facet", "corner", "region", "tensor"))
     )
 
 

@@ -116,3 +116,30 @@ TEST_CASE("the numbers of bodies of the columns are those of the paper") {
   CHECK(contains(sizes("column_hexagonal_h1.toml"), "595 particles"));
   CHECK(contains(sizes("column_hexagonal_h2.toml"), "357 particles"));
 }
+
+TEST_CASE("hexagonal assemblies between walls have the elastic constants of the paper's Table 1") {
+  struct Target {
+    const char* name;
+    double young_modulus;
+    double poisson_ratio;
+  };
+  // Means of both directions.
+  for (const Target& target : {Target{"h1", 19.93e9, 0.194}, {"h2", 20.10e9, 0.196}}) {
+    CAPTURE(target.name);
+    const Workplace place;
+    const std::string path = LIGAMENT_SOURCE_DIR "/config/assembly_properties_" + std::string(target.name) + ".toml";
+    REQUIRE(place.run({"run", path, "--output", "run"}).code == 0);
+    const auto summary = summary_of(place);
+    CHECK(summary.at("energy_error").get<double>() < 1e-9);
+    const auto mean = [&](const std::string& quantity, const std::string& unit) {
+      const auto& results = summary.at("results");
+      return 0.5 *
+             (results.at(quantity + "_x" + unit).get<double>() + results.at(quantity + "_y" + unit).get<double>());
+    };
+    for (const std::string prefix : {"", "region_"}) {
+      CAPTURE(prefix);
+      CHECK(std::abs(mean(prefix + "young_modulus", "_Pa") / target.young_modulus - 1.0) < 0.03);
+      CHECK(std::abs(mean(prefix + "poisson_ratio", "") - target.poisson_ratio) < 0.015);
+    }
+  }
+}

@@ -39,6 +39,22 @@ TEST_CASE("loads act on their body, risen linearly with time") {
   }
 }
 
+TEST_CASE("a load rises within its stage and stays on in later ones") {
+  const Model model = bodies();
+  AppliedLoads loads({{.body = PointLoad::Body::node, .row = 0, .force = {4.0, 2.0}, .rise_time = 8.0, .stage = 2}});
+  State state = resting_state(model);
+  state.clock.time = 102.0;
+  const auto force_in_stage = [&](std::int64_t stage) {
+    state.nodes.translation.force[0] = {};
+    state.stage = {.number = stage, .begin_time = 100.0};
+    loads.add_forces(model, state);
+    return state.nodes.translation.force[0];
+  };
+  CHECK(force_in_stage(1) == Vector{});
+  CHECK(force_in_stage(2) == Vector{1.0, 0.5});
+  CHECK(force_in_stage(3) == Vector{4.0, 2.0});
+}
+
 TEST_CASE("the work of a load is booked by halves on either side of its time") {
   const Model model = bodies();
   AppliedLoads loads({{.body = PointLoad::Body::particle, .row = 1, .force = {0.0, 3.0}, .moment = 5.0}});

@@ -55,6 +55,28 @@ TEST_CASE("velocities rise, hold and stop and they are those of the middle of th
   CHECK(velocity_at(endless, 1e9, 0.5) == 3.0);
 }
 
+TEST_CASE("velocities belong to stages, and count their time from the beginning of theirs") {
+  const Model model = bodies();
+  State state = resting_state(model);
+  state.clock.time_step = 0.5;
+  PrescribedMotion motion({{.body = Body::node,
+                            .row = 0,
+                            .axis = 0,
+                            .motions = {{.stage = 1, .velocity = 3.0, .stop_time = 5.0},
+                                        {.stage = 3, .velocity = -2.0, .rise_time = 4.0}}}});
+  const auto velocity_in = [&](std::int64_t stage, double begin_time, double time) {
+    state.stage = {.number = stage, .begin_time = begin_time};
+    state.clock.time = time;
+    motion.apply(model, state);
+    return state.nodes.translation.velocity[0].x;
+  };
+  CHECK(velocity_in(1, 0.0, 4.5) == 3.0);
+  CHECK(velocity_in(1, 0.0, 5.0) == 0.0);
+  CHECK(velocity_in(2, 10.0, 11.0) == 0.0);
+  CHECK(velocity_in(3, 20.0, 20.75) == -0.5);
+  CHECK(velocity_in(3, 20.0, 30.0) == -2.0);
+}
+
 TEST_CASE("all kinds of freedom are moved") {
   Model model = bodies();
   State state = resting_state(model);

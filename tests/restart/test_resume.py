@@ -38,6 +38,21 @@ class Resume(ProgramTest):
         self.assertEqual(self.final_hash("pieces"), self.final_hash("whole"))
         self.assert_same_results("pieces", "whole")
 
+    def test_stages_of_loading_survive_a_stop(self):
+        case = CONFIG / "assembly_properties_h2.toml"
+        self.call("run", case, "--output", "whole", "--quiet")
+        steps = self.summary("whole")["steps"]
+        rows = (self.folder / "whole" / "history.csv").read_text().splitlines()[1:]
+        end_of_first_stage = next(step for step in (int(row.split(",")[0]) for row in rows) if step % 100)
+        self.assertLess(end_of_first_stage, steps)
+        self.call("run", case, "--output", "pieces", "--quiet", "--stop-after-steps", 150)
+        for step in (end_of_first_stage - 1, end_of_first_stage, end_of_first_stage + 1, steps - 1):
+            self.call("resume", "pieces", "--until-step", step, "--quiet")
+        self.call("resume", "pieces", "--quiet")
+        self.assertEqual(self.final_hash("pieces"), self.final_hash("whole"))
+        self.assertEqual(self.summary("pieces")["results"], self.summary("whole")["results"])
+        self.assert_same_results("pieces", "whole")
+
     def test_what_is_written_when_changes_no_bit_of_the_run(self):
         schedules = [
             {"checkpoint__every": 1},

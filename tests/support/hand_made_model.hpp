@@ -6,6 +6,7 @@
 #include "constitutive/batch_law.hpp"
 #include "constitutive/frictional.hpp"
 #include "constitutive/linear_elastic.hpp"
+#include "constitutive/tied.hpp"
 #include "core/model.hpp"
 
 /// Models put together body by body, with round numbers.
@@ -77,6 +78,34 @@ inline Index add_facet(Model& model, Index i, Index j) {
   model.facets.nodes.push_back({i, j});
   model.facets.element.push_back(0);
   return static_cast<Index>(model.facets.size() - 1);
+}
+
+/// How a wall touches particles.
+struct WallChoice {
+  double friction_coefficient = 0.0;
+  bool is_tied = false;
+};
+
+/// A wall that faces what is on the right of its way; walls come after all other nodes and facets. Returns its row.
+inline std::size_t add_wall(Model& model, const Vector& from, const Vector& to, const WallChoice& choice = {}) {
+  Wall wall{.name = "wall"};
+  if (choice.is_tied) {
+    wall.bond_law = static_cast<Index>(model.laws.size());
+    model.laws.push_back({"wall.tie", std::make_shared<BatchLaw<Tied>>(), 0});
+  }
+  wall.contact_law = static_cast<Index>(model.laws.size());
+  model.laws.push_back(
+      {"wall.contact", std::make_shared<BatchLaw<Frictional>>(Frictional{choice.friction_coefficient}), 1});
+  const Index first = add_node(model, from);
+  const Index second = add_node(model, to);
+  for (const Index node : {first, second}) {
+    model.nodes.real_mass[node] = 0.0;
+    model.nodes.id[node] = 0;
+  }
+  add_facet(model, first, second);
+  model.facets.element.back() = -1;
+  model.walls.push_back(wall);
+  return model.walls.size() - 1;
 }
 
 /// A closed outline of a solid, corners counter-clockwise, one facet from each to the next.

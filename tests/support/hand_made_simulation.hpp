@@ -73,6 +73,17 @@ inline std::vector<PrescribedFreedom> held_node(Index row) {
   using Body = PrescribedFreedom::Body;
   return {{.body = Body::node, .row = row, .axis = 0}, {.body = Body::node, .row = row, .axis = 1}};
 }
+/// Both ends of a wall, moved at this velocity.
+inline std::vector<PrescribedFreedom> moved_wall(const Model& model, std::size_t wall, const Vector& velocity) {
+  std::vector<PrescribedFreedom> freedoms;
+  for (const Index node : model.wall_nodes(wall)) {
+    for (int axis = 0; axis < dimension; ++axis) {
+      freedoms.push_back({.row = node, .axis = axis, .motions = {{.velocity = component(velocity, axis)}}});
+    }
+  }
+  return freedoms;
+}
+
 inline std::vector<PrescribedFreedom> held_particle(Index row) {
   using Body = PrescribedFreedom::Body;
   return {{.body = Body::particle, .row = row, .axis = 0},

@@ -75,7 +75,8 @@ TEST_CASE("gauges") {
       "[[motion]]",
       "{ node = 4, direction = \"x\" }\n\n[solver]");
   check_edit("displacement = { node = 4, direction", "displacement = { direction",
-             "'displacement' needs either 'node' or 'particle' in [[gauge]] 'u'", "{ direction");
+             "'displacement' needs one of 'node', 'particle' and 'wall' in [[gauge]] 'u'", "{ direction");
   check_edit("displacement = { node = 4, direction = \"x\" }\n", "",
-             "a gauge measures one thing: give 'displacement' or 'reaction' in [[gauge]] 'u'", "[[gauge]]");
+             "a gauge measures one thing: give 'displacement', 'reaction', 'stress' or 'strain' in [[gauge]] 'u'",
+             "[[gauge]]");
 }

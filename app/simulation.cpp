@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "integrator/time_step.hpp"
 
 namespace ligament {
@@ -24,10 +25,17 @@ void resize(RotationState& bodies, std::size_t count) {
   }
 }
 
+template <class T>
+void clear(Field<T>& field) {
+  parallel_ranges(field.size(), [&](std::size_t begin, std::size_t end) {
+    std::fill(field.data() + begin, field.data() + end, T{});
+  });
+}
+
 void clear_forces(State& state) {
-  std::fill(state.particles.translation.force.begin(), state.particles.translation.force.end(), Vector{});
-  std::fill(state.particles.rotation.moment.begin(), state.particles.rotation.moment.end(), 0.0);
-  std::fill(state.nodes.translation.force.begin(), state.nodes.translation.force.end(), Vector{});
+  clear(state.particles.translation.force);
+  clear(state.particles.rotation.moment);
+  clear(state.nodes.translation.force);
 }
 
 void merge(std::vector<EnergyTerm>& lines, const std::vector<EnergyTerm>& more) {

@@ -17,7 +17,11 @@ target_compile_options(ligament_options INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow>
   # Exact restart asks for the same roundings everywhere: no contraction to fused multiply-adds.
-  -ffp-contract=off)
+  -ffp-contract=off
+  # Nobody asks for errno after a square root; without it a root is one instruction, with the same bits.
+  -fno-math-errno)
+# Of OpenMP only the pragmas of core/parallel.hpp are used.
+target_link_libraries(ligament_options INTERFACE OpenMP::OpenMP_CXX)
 if(LIGAMENT_AUDIT)
   target_compile_definitions(ligament_options INTERFACE LIGAMENT_AUDIT=1)
 endif()

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "commands/commands.hpp"
+#include "core/parallel.hpp"
 #include "run/run_report.hpp"
 #include "run/runner.hpp"
 #include "run/signals.hpp"
@@ -20,6 +21,7 @@ struct RunOptions {
   bool quiet = false;
   std::vector<std::string> overrides;
   std::optional<std::int64_t> stop_after_steps;
+  int n_threads = 1;
 };
 
 std::filesystem::path checkpoint_parent(const Case& input, const std::filesystem::path& case_path) {
@@ -28,7 +30,9 @@ std::filesystem::path checkpoint_parent(const Case& input, const std::filesystem
 }
 
 void show_banner(Console& console, const Case& input, const BuiltSimulation& built) {
-  console.line(fmt::format("ligament {} ({}): {}", program_version(), program_build(), input.file.file_name()));
+  const int n_threads = threads().count;
+  console.line(fmt::format("ligament {} ({}), {} thread{}: {}", program_version(), program_build(), n_threads,
+                           n_threads == 1 ? "" : "s", input.file.file_name()));
   for (const std::string& line : describe(input, built)) console.line(line);
   for (const std::string& warning : built.warnings) console.warning(warning);
 }
@@ -49,6 +53,7 @@ ExitCode with_log(Console& console, const RunDirectory& directory, const Action&
 }
 
 ExitCode run(const RunOptions& options) {
+  threads().count = options.n_threads;
   const std::filesystem::path case_path = options.case_path;
   const std::filesystem::path output = options.output.empty() ? std::filesystem::path("results") / case_path.stem()
                                                               : std::filesystem::path(options.output);
@@ -70,9 +75,11 @@ struct ResumeOptions {
   std::string directory;
   bool quiet = false;
   std::optional<std::int64_t> until_step;
+  int n_threads = 1;
 };
 
 ExitCode resume(const ResumeOptions& options) {
+  threads().count = options.n_threads;
   RunDirectory directory = RunDirectory::open(options.directory);
   directory.lock();
   Case input = read_case(directory.file("case.toml"), directory.overrides());
@@ -84,6 +91,11 @@ ExitCode resume(const ResumeOptions& options) {
   Runner runner(input, built, directory, console);
   runner.stop_at(options.until_step);
   return with_log(console, directory, [&] { return runner.resume(); });
+}
+
+void add_threads_option(CLI::App& command, int& n_threads) {
+  command.add_option("--threads", n_threads, "number of threads; the results do not depend on it; default 1")
+      ->check(CLI::Range(1, 1024));
 }
 
 }  // namespace
@@ -101,6 +113,7 @@ void add_run_command(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--stop-after-steps", options->stop_after_steps, "stop at this step, with a checkpoint")
       ->check(CLI::NonNegativeNumber);
+  add_threads_option(*command, options->n_threads);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
 
@@ -111,6 +124,7 @@ void add_resume_command(CLI::App& app, Action& action) {
   command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
   command->add_option("--until-step", options->until_step, "stop at this step, with a checkpoint")
       ->check(CLI::NonNegativeNumber);
+  add_threads_option(*command, options->n_threads);
   command->callback([options, &action] { action = [options] { return resume(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "case/assembly_properties.hpp"
+#include "core/parallel.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
 #include "run/external_forces.hpp"
@@ -98,7 +99,7 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
             {"ended", name_of(summary.ending)},
             {"steps", simulation.state().clock.step},
             {"wall_time_s", summary.wall_time},
-            {"threads", 1},
+            {"threads", threads().count},
             {"n_particles", sizes.n_particles},
             {"n_contacts", sizes.n_contacts},
             {"n_edge_contacts", sizes.n_edge_contacts},

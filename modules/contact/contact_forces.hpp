@@ -1,22 +1,25 @@
 #pragma once
 
+#include "contact/contact_ends.hpp"
 #include "contact/law_ranges.hpp"
 #include "contact/pairings.hpp"
+#include "core/block_sum.hpp"
 #include "core/force_provider.hpp"
 
 namespace ligament {
 
 /// Forces of one kind of contact: kinematics → law → forces, block by block, so that the arrays between the three stay
-/// in the first cache.
+/// in the first cache. A body adds up the forces of its contacts in their order, whether one thread brings them to the
+/// bodies contact by contact, or many fetch them body by body.
 template <class Pairing>
 class ContactForces : public ForceProvider {
  public:
   void add_forces(const Model& model, State& state) override {
-    visit_law_blocks(model, Pairing::table(state), [&](const LawBlock& block) {
-      measure_motion(model, state, block);
-      apply_law(model, Pairing::table(state), block);
-      apply_forces(model, state, block);
-    });
+    if (is_shared(Pairing::table(state).size(), smallest_heavy_loop)) {
+      add_forces_by_body(model, state);
+    } else {
+      add_forces_by_contact(model, state);
+    }
   }
 
   void add_stiffness(const Model& model, const State& state, StiffnessBounds& bounds) const override {
@@ -43,40 +46,104 @@ class ContactForces : public ForceProvider {
   }
 
  private:
-  void measure_motion(const Model& model, State& state, const LawBlock& block) {
+  /// What passes between kinematics, law and forces of a block.
+  struct BlockMotion {
+    std::array<ContactGeometry, block_size> geometry;
+    std::array<ShearVector, block_size> slip_increment;
+  };
+
+  void add_forces_by_contact(const Model& model, State& state) const {
+    const ContactTable& contacts = Pairing::table(state);
+    if (contacts.size() == 0) return;
+    BlockMotion motion;
+    for (const LawBlock& block : law_blocks(model, contacts)) {
+      measure_motion(model, state, block, motion);
+      apply_law(model, Pairing::table(state), block, motion);
+      visit_forces(contacts, block, motion, [&](std::size_t row, const auto& forces) {
+        const auto bodies = Pairing::end_bodies(model, contacts, row);
+        for (std::size_t end = 0; end < Pairing::n_ends; ++end) {
+          if (Pairing::end_kinds[end] == BodyKind::particle) {
+            add(forces[end], state.particles, bodies[end]);
+          } else {
+            add(forces[end], state.nodes, bodies[end]);
+          }
+        }
+      });
+    }
+  }
+
+  void add_forces_by_body(const Model& model, State& state) {
+    const ContactTable& contacts = Pairing::table(state);
+    ends_.update<Pairing>(model, contacts);
+    end_forces_.resize(contacts.size());
+    const std::vector<LawBlock> blocks = law_blocks(model, contacts);
+    parallel_ranges(blocks.size(), true, [&](std::size_t begin, std::size_t end) {
+      BlockMotion motion;
+      for (std::size_t i = begin; i < end; ++i) {
+        measure_motion(model, state, blocks[i], motion);
+        apply_law(model, Pairing::table(state), blocks[i], motion);
+        visit_forces(contacts, blocks[i], motion,
+                     [&](std::size_t row, const auto& forces) { end_forces_[row] = forces; });
+      }
+    });
+    fetch_forces(ends_.at_particles(), state.particles);
+    fetch_forces(ends_.at_nodes(), state.nodes);
+  }
+
+  static void measure_motion(const Model& model, State& state, const LawBlock& block, BlockMotion& block_motion) {
     ContactTable& contacts = Pairing::table(state);
     for (std::size_t i = 0; i < block.size(); ++i) {
       const std::size_t row = block.begin + i;
       const ContactMotion motion = Pairing::motion(model, state, row);
-      geometry_[i] = motion.geometry;
-      slip_increment_[i] = motion.slip_increment;
+      block_motion.geometry[i] = motion.geometry;
+      block_motion.slip_increment[i] = motion.slip_increment;
       contacts.opening[row] = motion.opening;
       contacts.shear_displacement[row] += motion.slip_increment;
     }
   }
 
-  void apply_law(const Model& model, ContactTable& contacts, const LawBlock& block) {
+  static void apply_law(const Model& model, ContactTable& contacts, const LawBlock& block, const BlockMotion& motion) {
     const auto history = history_pointers(model, contacts, block.law_row, block.begin);
     const auto part = [&](auto& field) { return std::span(field).subspan(block.begin, block.size()); };
-    block.law->evaluate({part(contacts.opening), std::span(slip_increment_).first(block.size()),
+    block.law->evaluate({part(contacts.opening), std::span(motion.slip_increment).first(block.size()),
                          part(contacts.normal_stiffness), part(contacts.shear_stiffness), part(contacts.area),
                          part(contacts.normal_force), part(contacts.shear_force), part(contacts.bond), history});
   }
 
-  void apply_forces(const Model& model, State& state, const LawBlock& block) {
-    const ContactTable& contacts = Pairing::table(state);
+  /// Calls take(row, forces on the ends) for every contact of a block.
+  template <class Take>
+  static void visit_forces(const ContactTable& contacts, const LawBlock& block, const BlockMotion& motion,
+                           Take&& take) {
     for (std::size_t i = 0; i < block.size(); ++i) {
       const std::size_t row = block.begin + i;
-      const Vector& normal = geometry_[i].normal;
+      const Vector& normal = motion.geometry[i].normal;
       const ShearVector shear = contacts.shear_force[row];
       const Vector force = contacts.normal_force[row] * normal + shear * tangent(normal);
-      Pairing::apply(model, state, row, geometry_[i], {force, shear});
+      take(row, Pairing::end_forces(motion.geometry[i], {force, shear}));
     }
   }
 
-  // Scratch of one block.
-  std::array<ContactGeometry, block_size> geometry_;
-  std::array<ShearVector, block_size> slip_increment_;
+  static void add(const EndForce& end, ParticleState& particles, std::size_t row) {
+    particles.translation.force[row] += end.force;
+    particles.rotation.moment[row] += end.moment;
+  }
+  static void add(const EndForce& end, NodeState& nodes, std::size_t row) { nodes.translation.force[row] += end.force; }
+
+  template <class Bodies>
+  void fetch_forces(const Occurrences& ends, Bodies& bodies) const {
+    if (ends.places.empty()) return;
+    parallel_ranges(ends.begin.size() - 1, true, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t body = begin; body < end; ++body) {
+        for (const std::size_t number : ends.of(body)) {
+          add(end_forces_[number / Pairing::n_ends][number % Pairing::n_ends], bodies, body);
+        }
+      }
+    });
+  }
+
+  // Scratch of threads that share a table.
+  ContactEnds ends_;
+  std::vector<std::array<EndForce, Pairing::n_ends>> end_forces_;
 };
 
 }  // namespace ligament

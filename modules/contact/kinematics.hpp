@@ -51,7 +51,7 @@ inline ContactMotion particle_pair_motion(const PointPairMotion& pair, const Con
   const double mean_arm_first = 0.5 * (mean_distance + radius_difference);
   const double mean_arm_second = 0.5 * (mean_distance - radius_difference);
   ContactMotion motion;
-  motion.geometry.normal = line / distance;
+  motion.geometry.normal = (1.0 / distance) * line;
   motion.geometry.arm_first = 0.5 * (distance + radius_difference);
   motion.geometry.arm_second = 0.5 * (distance - radius_difference);
   motion.opening = stretch + reference.initial_gap;

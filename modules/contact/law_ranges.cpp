@@ -1,6 +1,23 @@
 #include "contact/law_ranges.hpp"
 
+#include <algorithm>
+
+#include "core/block_sum.hpp"
+
 namespace ligament {
+
+std::vector<LawBlock> law_blocks(const Model& model, const ContactTable& contacts) {
+  std::vector<LawBlock> blocks;
+  blocks.reserve(model.laws.size() + contacts.size() / block_size);
+  for (std::size_t law = 0; law < model.laws.size(); ++law) {
+    const auto range_end = static_cast<std::size_t>(contacts.law_begin[law + 1]);
+    for (auto begin = static_cast<std::size_t>(contacts.law_begin[law]); begin < range_end; begin += block_size) {
+      blocks.push_back(
+          {model.laws[law].law.get(), static_cast<Index>(law), begin, std::min(begin + block_size, range_end)});
+    }
+  }
+  return blocks;
+}
 
 std::vector<std::size_t> history_begin(const Model& model) {
   std::vector<std::size_t> begin{0};
@@ -28,7 +45,7 @@ ContactEnergies block_energies(const Model& model, const ContactTable& contacts,
 
 ContactEnergies table_energies(const Model& model, const ContactTable& contacts) {
   ContactEnergies total;
-  visit_law_blocks(model, contacts, [&](const LawBlock& block) { total += block_energies(model, contacts, block); });
+  for (const LawBlock& block : law_blocks(model, contacts)) total += block_energies(model, contacts, block);
   return total;
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
-#include "core/block_sum.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 
@@ -19,17 +17,8 @@ struct LawBlock {
   [[nodiscard]] std::size_t size() const { return end - begin; }
 };
 
-/// Cuts the range of every law into blocks; where they begin depends on the table alone.
-template <class Visit>
-void visit_law_blocks(const Model& model, const ContactTable& contacts, Visit&& visit) {
-  for (std::size_t law = 0; law < model.laws.size(); ++law) {
-    const auto range_end = static_cast<std::size_t>(contacts.law_begin[law + 1]);
-    for (auto begin = static_cast<std::size_t>(contacts.law_begin[law]); begin < range_end; begin += block_size) {
-      visit(
-          LawBlock{model.laws[law].law.get(), static_cast<Index>(law), begin, std::min(begin + block_size, range_end)});
-    }
-  }
-}
+/// The range of every law cut into blocks; where they begin depends on the table alone.
+std::vector<LawBlock> law_blocks(const Model& model, const ContactTable& contacts);
 
 /// Where the history columns of each law begin in ContactTable::history; one entry more than laws.
 std::vector<std::size_t> history_begin(const Model& model);

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <array>
+
 #include "contact/contact_bound.hpp"
 #include "contact/kinematics.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/stiffness_bounds.hpp"
 
-/// The three kinds of contact. Each says where its table is, how its bodies move against each other, how a contact
-/// force reaches them, Eqs (25)-(28), and what stiffness they feel. ContactForces makes the rest.
+/// The three kinds of contact. Each says where its table is, how its bodies move against each other, which bodies its
+/// ends are at and how a contact force reaches them, Eqs (25)-(28), and what stiffness they feel. ContactForces makes
+/// the rest.
 namespace ligament {
 
 /// F_C = F_n n + F_s t on the second body, Eq. (24).
@@ -20,11 +23,17 @@ inline ContactReference reference_of(const ContactTable& contacts, std::size_t r
   return {contacts.rest_distance[row], contacts.initial_gap[row], contacts.opening[row]};
 }
 
-/// Takes the force off the first body, always a particle.
-inline void apply_to_first(ParticleState& particles, Index particle, const ContactGeometry& geometry,
-                           const ContactPointForce& contact) {
-  particles.translation.force[particle] -= contact.force;
-  particles.rotation.moment[particle] -= geometry.arm_first * contact.shear;
+/// What a contact does to a body at one of its ends; nodes feel no moment.
+struct EndForce {
+  Vector force;         ///< (N)
+  Moment moment = 0.0;  ///< (N m)
+};
+
+enum class BodyKind { particle, node };
+
+/// On the first body, always a particle.
+inline EndForce force_on_first(const ContactGeometry& geometry, const ContactPointForce& contact) {
+  return {-contact.force, -(geometry.arm_first * contact.shear)};
 }
 
 struct ParticlePairing {
@@ -44,12 +53,15 @@ struct ParticlePairing {
                                 model.particles.radius[a] - model.particles.radius[b]);
   }
 
-  static void apply(const Model& /*model*/, State& state, std::size_t row, const ContactGeometry& geometry,
-                    const ContactPointForce& contact) {
-    apply_to_first(state.particles, state.particle_contacts.first[row], geometry, contact);
-    const Index b = state.particle_contacts.second[row];
-    state.particles.translation.force[b] += contact.force;
-    state.particles.rotation.moment[b] -= geometry.arm_second * contact.shear;
+  static constexpr std::size_t n_ends = 2;
+  static constexpr std::array<BodyKind, n_ends> end_kinds{BodyKind::particle, BodyKind::particle};
+
+  static std::array<Index, n_ends> end_bodies(const Model& /*model*/, const ContactTable& contacts, std::size_t row) {
+    return {contacts.first[row], contacts.second[row]};
+  }
+
+  static std::array<EndForce, n_ends> end_forces(const ContactGeometry& geometry, const ContactPointForce& contact) {
+    return {force_on_first(geometry, contact), {contact.force, -(geometry.arm_second * contact.shear)}};
   }
 
   static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
@@ -84,12 +96,18 @@ struct FacetPairing {
     return facet_motion(facet, reference_of(contacts, row), state.particles.rotation.increment[a]);
   }
 
-  static void apply(const Model& model, State& state, std::size_t row, const ContactGeometry& geometry,
-                    const ContactPointForce& contact) {
-    apply_to_first(state.particles, state.facet_contacts.first[row], geometry, contact);
-    const auto& [i, j] = model.facets.nodes[state.facet_contacts.second[row]];
-    state.nodes.translation.force[i] += (1.0 - geometry.share) * contact.force;
-    state.nodes.translation.force[j] += geometry.share * contact.force;
+  static constexpr std::size_t n_ends = 3;
+  static constexpr std::array<BodyKind, n_ends> end_kinds{BodyKind::particle, BodyKind::node, BodyKind::node};
+
+  static std::array<Index, n_ends> end_bodies(const Model& model, const ContactTable& contacts, std::size_t row) {
+    const auto& [i, j] = model.facets.nodes[contacts.second[row]];
+    return {contacts.first[row], i, j};
+  }
+
+  static std::array<EndForce, n_ends> end_forces(const ContactGeometry& geometry, const ContactPointForce& contact) {
+    return {force_on_first(geometry, contact),
+            {(1.0 - geometry.share) * contact.force, 0.0},
+            {geometry.share * contact.force, 0.0}};
   }
 
   static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
@@ -122,10 +140,15 @@ struct CornerPairing {
     return corner_motion(pair, reference_of(contacts, row), state.particles.rotation.increment[a]);
   }
 
-  static void apply(const Model& /*model*/, State& state, std::size_t row, const ContactGeometry& geometry,
-                    const ContactPointForce& contact) {
-    apply_to_first(state.particles, state.corner_contacts.first[row], geometry, contact);
-    state.nodes.translation.force[state.corner_contacts.second[row]] += contact.force;
+  static constexpr std::size_t n_ends = 2;
+  static constexpr std::array<BodyKind, n_ends> end_kinds{BodyKind::particle, BodyKind::node};
+
+  static std::array<Index, n_ends> end_bodies(const Model& /*model*/, const ContactTable& contacts, std::size_t row) {
+    return {contacts.first[row], contacts.second[row]};
+  }
+
+  static std::array<EndForce, n_ends> end_forces(const ContactGeometry& geometry, const ContactPointForce& contact) {
+    return {force_on_first(geometry, contact), {contact.force, 0.0}};
   }
 
   static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,

@@ -5,17 +5,16 @@
 
 namespace ligament {
 
-/// The angle (rad, within ±π) whose sine and cosine are given up to a common positive factor. Only + - × ÷ √ are used:
-/// the inverse trigonometric functions of C libraries differ between processors, and runs must not.
-inline double turn_angle(double sine, double cosine) {
+/// turn_angle() by halving, for any angle.
+inline double large_turn_angle(double sine, double cosine) {
   // Close to ±π halving would lose the digits of 1 + c.
-  if (cosine < 0.0) return std::copysign(std::numbers::pi, sine) - turn_angle(sine, -cosine);
+  if (cosine < 0.0) return std::copysign(std::numbers::pi, sine) - large_turn_angle(sine, -cosine);
   const double length = std::sqrt(sine * sine + cosine * cosine);
   if (length == 0.0) return 0.0;
   double s = sine / length;
   double c = cosine / length;
   double factor = 1.0;
-  // Halve the angle until the series converges to rounding in a few terms; steps of a run are there at once.
+  // Halve the angle until the series converges to rounding in a few terms.
   while (c < 0.995) {
     c = std::sqrt(0.5 * (1.0 + c));
     s /= 2.0 * c;
@@ -29,6 +28,18 @@ inline double turn_angle(double sine, double cosine) {
                       q * (5.0 / 112.0 +
                            q * (35.0 / 1152.0 + q * (63.0 / 2816.0 + q * (231.0 / 13312.0 + q * (143.0 / 10240.0)))))));
   return factor * s * series;
+}
+
+/// The angle (rad, within ±π) whose sine and cosine are given up to a common positive factor. Only + - × ÷ √ are used:
+/// the inverse trigonometric functions of C libraries differ between processors, and runs must not.
+inline double turn_angle(double sine, double cosine) {
+  // Bodies turn by little in a step, and one division will do.
+  const bool is_small = std::abs(sine) < 0.01 * cosine;
+  if (!is_small) return large_turn_angle(sine, cosine);
+  const double tangent = sine / cosine;
+  const double q = tangent * tangent;
+  // arctangent series, |tangent| < 0.01: the first term left out is below 2e-17 of the sum.
+  return tangent * (1.0 - q * (1.0 / 3.0 - q * (1.0 / 5.0 - q * (1.0 / 7.0))));
 }
 
 }  // namespace ligament

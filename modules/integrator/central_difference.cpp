@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/block_sum.hpp"
+#include "core/parallel.hpp"
 
 namespace ligament {
 namespace {
@@ -11,15 +12,21 @@ namespace {
 constexpr const char* damping_line = "damping";
 constexpr const char* step_change_line = "step_change";
 
-void move_translations(TranslationState& bodies, double time_step) {
-  for (std::size_t i = 0; i < bodies.displacement.size(); ++i) {
+/// Rows of a table.
+struct Rows {
+  std::size_t begin;
+  std::size_t end;
+};
+
+void move(TranslationState& bodies, double time_step, const Rows& rows) {
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
     bodies.increment[i] = time_step * bodies.velocity[i];
     bodies.displacement[i] += bodies.increment[i];
   }
 }
 
-void move_rotations(RotationState& bodies, double time_step) {
-  for (std::size_t i = 0; i < bodies.rotation.size(); ++i) {
+void move(RotationState& bodies, double time_step, const Rows& rows) {
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
     bodies.increment[i] = time_step * bodies.spin[i];
     bodies.rotation[i] += bodies.increment[i];
   }
@@ -27,10 +34,10 @@ void move_rotations(RotationState& bodies, double time_step) {
 
 // Both dampings act on the mean of v(n-½) and v(n+½), as their work does: they never give energy, and the step stays
 // stable up to 2/ω. Local damping at most stops that mean.
-void accelerate_translations(TranslationState& bodies, const Field<Vector>& free, const DampingCoefficients& damping,
-                             double time) {
+void accelerate(TranslationState& bodies, const Field<Vector>& free, const DampingCoefficients& damping, double time,
+                const Rows& rows) {
   const double factor = time / (1.0 + 0.5 * damping.viscous * time);
-  for (std::size_t i = 0; i < bodies.velocity.size(); ++i) {
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
     const Vector before = bodies.velocity[i];
     const Vector acceleration = bodies.force[i] / bodies.mass[i];
     const Vector undragged = before + factor * componentwise(free[i], acceleration - damping.viscous * before);
@@ -40,10 +47,10 @@ void accelerate_translations(TranslationState& bodies, const Field<Vector>& free
   }
 }
 
-void accelerate_rotations(RotationState& bodies, const Field<double>& free, const DampingCoefficients& damping,
-                          double time) {
+void accelerate(RotationState& bodies, const Field<double>& free, const DampingCoefficients& damping, double time,
+                const Rows& rows) {
   const double factor = time / (1.0 + 0.5 * damping.viscous * time);
-  for (std::size_t i = 0; i < bodies.spin.size(); ++i) {
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
     const Spin before = bodies.spin[i];
     const double acceleration = bodies.moment[i] / bodies.inertia[i];
     const Spin undragged = before + factor * free[i] * (acceleration - damping.viscous * before);
@@ -64,22 +71,30 @@ struct HalfWorks {
   }
 };
 
-/// Work of what the motion shows beyond the forces on free bodies: that of damping.
-HalfWorks damping_work(const TranslationState& bodies, const Field<Vector>& free, const Clock& clock) {
-  return block_sum(bodies.velocity.size(), [&](std::size_t i) {
-    const Vector change = bodies.velocity[i] - bodies.velocity_before[i];
-    const Vector damping =
-        componentwise(free[i], (bodies.mass[i] / clock.acceleration_time()) * change - bodies.force[i]);
-    return HalfWorks{0.5 * dot(damping, bodies.increment[i]), 0.5 * clock.time_step * dot(damping, bodies.velocity[i])};
-  });
+/// Work on one body of what its motion shows beyond the force, where it is free: that of damping.
+HalfWorks damping_work(const TranslationState& bodies, const Vector& free, const Clock& clock, std::size_t i) {
+  const Vector change = bodies.velocity[i] - bodies.velocity_before[i];
+  const Vector damping = componentwise(free, (bodies.mass[i] / clock.acceleration_time()) * change - bodies.force[i]);
+  return {0.5 * dot(damping, bodies.increment[i]), 0.5 * clock.time_step * dot(damping, bodies.velocity[i])};
 }
 
-HalfWorks damping_work(const RotationState& bodies, const Field<double>& free, const Clock& clock) {
-  return block_sum(bodies.spin.size(), [&](std::size_t i) {
-    const Spin change = bodies.spin[i] - bodies.spin_before[i];
-    const Moment damping = free[i] * (bodies.inertia[i] / clock.acceleration_time() * change - bodies.moment[i]);
-    return HalfWorks{0.5 * damping * bodies.increment[i], 0.5 * clock.time_step * damping * bodies.spin[i]};
+HalfWorks damping_work(const RotationState& bodies, double free, const Clock& clock, std::size_t i) {
+  const Spin change = bodies.spin[i] - bodies.spin_before[i];
+  const Moment damping = free * (bodies.inertia[i] / clock.acceleration_time() * change - bodies.moment[i]);
+  return {0.5 * damping * bodies.increment[i], 0.5 * clock.time_step * damping * bodies.spin[i]};
+}
+
+/// The same for all bodies.
+HalfWorks damping_work(const Model& model, const State& state) {
+  HalfWorks all = block_sum(model.particles.size(), [&](std::size_t i) {
+    HalfWorks work = damping_work(state.particles.translation, model.particles.free[i], state.clock, i);
+    work += damping_work(state.particles.rotation, model.particles.rotation_free[i], state.clock, i);
+    return work;
   });
+  all += block_sum(model.nodes.size(), [&](std::size_t i) {
+    return damping_work(state.nodes.translation, model.nodes.free[i], state.clock, i);
+  });
+  return all;
 }
 
 /// When Δt changes at n, the resultant acts for (Δt_old + Δt_new)/2 but its work is booked over Δt_old behind and
@@ -113,28 +128,33 @@ double kinetic_energy(const RotationState& bodies) {
 
 }  // namespace
 
-void CentralDifference::update_positions(const Model& /*model*/, State& state) const {
-  move_translations(state.particles.translation, state.clock.time_step);
-  move_rotations(state.particles.rotation, state.clock.time_step);
-  move_translations(state.nodes.translation, state.clock.time_step);
+void CentralDifference::update_positions(const Model& model, State& state) const {
+  const double time_step = state.clock.time_step;
+  parallel_ranges(model.particles.size(), [&](std::size_t begin, std::size_t end) {
+    move(state.particles.translation, time_step, {begin, end});
+    move(state.particles.rotation, time_step, {begin, end});
+  });
+  parallel_ranges(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
+    move(state.nodes.translation, time_step, {begin, end});
+  });
 }
 
 void CentralDifference::update_velocities(const Model& model, State& state) {
   coefficients_ = damping_->coefficients(model, state);
   const double time = state.clock.acceleration_time();
-  accelerate_translations(state.particles.translation, model.particles.free, coefficients_, time);
-  accelerate_rotations(state.particles.rotation, model.particles.rotation_free, coefficients_, time);
-  accelerate_translations(state.nodes.translation, model.nodes.free, coefficients_, time);
+  parallel_ranges(model.particles.size(), [&](std::size_t begin, std::size_t end) {
+    accelerate(state.particles.translation, model.particles.free, coefficients_, time, {begin, end});
+    accelerate(state.particles.rotation, model.particles.rotation_free, coefficients_, time, {begin, end});
+  });
+  parallel_ranges(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
+    accelerate(state.nodes.translation, model.nodes.free, coefficients_, time, {begin, end});
+  });
 }
 
 void CentralDifference::book_work(const Model& model, State& state) {
-  HalfWorks damping;
   // Without damping what the motion shows beyond the forces is rounding.
-  if (coefficients_.viscous != 0.0 || coefficients_.local != 0.0) {
-    damping += damping_work(state.particles.translation, model.particles.free, state.clock);
-    damping += damping_work(state.particles.rotation, model.particles.rotation_free, state.clock);
-    damping += damping_work(state.nodes.translation, model.nodes.free, state.clock);
-  }
+  const bool is_damped = coefficients_.viscous != 0.0 || coefficients_.local != 0.0;
+  const HalfWorks damping = is_damped ? damping_work(model, state) : HalfWorks{};
   state.ledger[state.ledger.open(damping_line)].book(damping.behind, damping.ahead);
 
   HalfWorks step_change;

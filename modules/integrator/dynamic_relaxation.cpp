@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/block_sum.hpp"
+#include "core/parallel.hpp"
 #include "core/parameters.hpp"
 
 namespace ligament {
@@ -20,17 +21,36 @@ struct Quotient {
   }
 };
 
-Quotient quotient(const TranslationState& bodies, const Field<Vector>& free, const Field<Vector>& force_before) {
-  return block_sum(bodies.force.size(), [&](std::size_t i) {
-    const Vector motion = componentwise(free[i], bodies.increment[i]);
-    return Quotient{-dot(motion, bodies.force[i] - force_before[i]), bodies.mass[i] * dot(motion, motion)};
-  });
+Quotient quotient(const TranslationState& bodies, const Vector& free, const Field<Vector>& force_before,
+                  std::size_t i) {
+  const Vector motion = componentwise(free, bodies.increment[i]);
+  return {-dot(motion, bodies.force[i] - force_before[i]), bodies.mass[i] * dot(motion, motion)};
 }
 
-Quotient quotient(const RotationState& bodies, const Field<double>& free, const Field<Moment>& moment_before) {
-  return block_sum(bodies.moment.size(), [&](std::size_t i) {
-    const Rotation motion = free[i] * bodies.increment[i];
-    return Quotient{-motion * (bodies.moment[i] - moment_before[i]), bodies.inertia[i] * motion * motion};
+Quotient quotient(const RotationState& bodies, double free, const Field<Moment>& moment_before, std::size_t i) {
+  const Rotation motion = free * bodies.increment[i];
+  return {-motion * (bodies.moment[i] - moment_before[i]), bodies.inertia[i] * motion * motion};
+}
+
+/// Of all bodies, against the forces of the step before.
+Quotient quotient(const Model& model, const State& state) {
+  const RelaxationState& before = state.relaxation;
+  Quotient all = block_sum(model.particles.size(), [&](std::size_t i) {
+    Quotient sum = quotient(state.particles.translation, model.particles.free[i], before.particle_force, i);
+    sum += quotient(state.particles.rotation, model.particles.rotation_free[i], before.particle_moment, i);
+    return sum;
+  });
+  all += block_sum(model.nodes.size(), [&](std::size_t i) {
+    return quotient(state.nodes.translation, model.nodes.free[i], before.node_force, i);
+  });
+  return all;
+}
+
+template <class T>
+void remember(const Field<T>& now, Field<T>& memory) {
+  memory.resize(now.size());
+  parallel_ranges(now.size(), [&](std::size_t begin, std::size_t end) {
+    std::copy(now.data() + begin, now.data() + end, memory.data() + begin);
   });
 }
 
@@ -49,15 +69,10 @@ DampingCoefficients DynamicRelaxation::coefficients(const Model& model, State& s
   RelaxationState& memory = state.relaxation;
   const bool is_first =
       memory.node_force.size() != model.nodes.size() || memory.particle_force.size() != model.particles.size();
-  Quotient sum;
-  if (!is_first) {
-    sum += quotient(state.particles.translation, model.particles.free, memory.particle_force);
-    sum += quotient(state.particles.rotation, model.particles.rotation_free, memory.particle_moment);
-    sum += quotient(state.nodes.translation, model.nodes.free, memory.node_force);
-  }
-  memory.particle_force = state.particles.translation.force;
-  memory.particle_moment = state.particles.rotation.moment;
-  memory.node_force = state.nodes.translation.force;
+  const Quotient sum = is_first ? Quotient{} : quotient(model, state);
+  remember(state.particles.translation.force, memory.particle_force);
+  remember(state.particles.rotation.moment, memory.particle_moment);
+  remember(state.nodes.translation.force, memory.node_force);
   // Where the stiffness along the motion is negative, as in a snap, damping would only hold it up.
   const double frequency = sum.stiffness > 0.0 && sum.mass > 0.0 ? std::sqrt(sum.stiffness / sum.mass) : 0.0;
   memory.damping = std::min(2.0 * damping_ratio_ * frequency, largest_damping_ / state.clock.acceleration_time());

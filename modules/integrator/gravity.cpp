@@ -1,12 +1,15 @@
 #include "integrator/gravity.hpp"
 
 #include "core/block_sum.hpp"
+#include "core/parallel.hpp"
 
 namespace ligament {
 namespace {
 
 void add_weight(const Field<double>& mass, const Vector& acceleration, Field<Vector>& force) {
-  for (std::size_t i = 0; i < mass.size(); ++i) force[i] += mass[i] * acceleration;
+  parallel_ranges(mass.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) force[i] += mass[i] * acceleration;
+  });
 }
 
 /// A constant force: its work is a function of the displacement.

@@ -27,15 +27,54 @@ double row_sum(const ElementStiffness& stiffness, std::size_t row) {
 }  // namespace
 
 void ElementForces::add_forces(const Model& model, State& state) {
-  const Field<Vector>& displacement = state.nodes.translation.displacement;
-  Field<Vector>& force = state.nodes.translation.force;
+  if (is_shared(model.elements.size(), smallest_heavy_loop)) {
+    add_forces_by_node(model, state);
+  } else {
+    add_forces_by_element(model, state);
+  }
+}
+
+ElementForces::CornerForces ElementForces::corner_forces(const Model& model, const State& state, std::size_t element) {
+  const ElementDisplacement f = stiffness_times(model.elements.stiffness[element],
+                                                displacement_of(model, state.nodes.translation.displacement, element));
+  CornerForces forces;
+  for (std::size_t a = 0; a < 4; ++a) forces[a] = {-f[2 * a], -f[2 * a + 1]};
+  return forces;
+}
+
+void ElementForces::add_forces_by_element(const Model& model, State& state) {
   for (std::size_t element = 0; element < model.elements.size(); ++element) {
-    const ElementDisplacement f =
-        stiffness_times(model.elements.stiffness[element], displacement_of(model, displacement, element));
+    const CornerForces forces = corner_forces(model, state, element);
     for (std::size_t a = 0; a < 4; ++a) {
-      force[model.elements.nodes[element][a]] -= Vector{f[2 * a], f[2 * a + 1]};
+      state.nodes.translation.force[model.elements.nodes[element][a]] += forces[a];
     }
   }
+}
+
+void ElementForces::add_forces_by_node(const Model& model, State& state) {
+  find_corners_at_nodes(model);
+  corner_forces_.resize(model.elements.size());
+  parallel_ranges(model.elements.size(), true, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t element = begin; element < end; ++element) {
+      corner_forces_[element] = corner_forces(model, state, element);
+    }
+  });
+  parallel_ranges(model.nodes.size(), true, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t node = begin; node < end; ++node) {
+      for (const std::size_t corner : corners_at_nodes_.of(node)) {
+        state.nodes.translation.force[node] += corner_forces_[corner / 4][corner % 4];
+      }
+    }
+  });
+}
+
+/// Elements stay as they are while a model lives, but the same object may be given another model.
+void ElementForces::find_corners_at_nodes(const Model& model) {
+  if (nodes_ == model.elements.nodes && corners_at_nodes_.begin.size() == model.nodes.size() + 1) return;
+  nodes_ = model.elements.nodes;
+  Field<Index> corners;
+  for (const auto& nodes : nodes_) corners.insert(corners.end(), nodes.begin(), nodes.end());
+  corners_at_nodes_ = find_occurrences(corners, model.nodes.size());
 }
 
 void ElementForces::add_stiffness(const Model& model, const State& /*state*/, StiffnessBounds& bounds) const {

@@ -51,6 +51,9 @@ TEST_CASE("wrong usage says what is wrong and does nothing") {
   check({"run", config + "column_fem.toml", config + "column_fem.toml"}, "not expected");
   check({"run", config + "column_fem.toml", "--stop-after-steps", "-1"}, "--stop-after-steps");
   check({"run", config + "column_fem.toml", "--stop-after-steps", "many"}, "--stop-after-steps");
+  check({"run", config + "column_fem.toml", "--threads", "0"}, "--threads: Value 0 not in range 1 to 1024");
+  check({"run", config + "column_fem.toml", "--threads", "1025"}, "--threads");
+  check({"resume", "run", "--threads", "two"}, "--threads");
   check({"compare", "one"}, "b is required");
   check({"explain"}, "key is required");
 }

@@ -75,12 +75,12 @@ TEST_CASE("blocks cover the range of every law once and never more than a block"
   for (Index i = 0; i < 1300; ++i) candidates.push_back({i < 1200 ? bond_law : contact_law, i, i + 1, -1});
   rebuild_rows(model, contacts, candidates);
   std::size_t next = 0;
-  visit_law_blocks(model, contacts, [&](const LawBlock& block) {
+  for (const LawBlock& block : law_blocks(model, contacts)) {
     CHECK(block.begin == next);
     CHECK(block.size() <= block_size);
     CHECK(contacts.law[block.begin] == block.law_row);
     CHECK(contacts.law[block.end - 1] == block.law_row);
     next = block.end;
-  });
+  }
   CHECK(next == 1300);
 }

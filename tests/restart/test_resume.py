@@ -72,6 +72,22 @@ class Resume(ProgramTest):
                     self.call("run", *run, *settings(**schedule), "--output", name, expect=code)
                     self.assertEqual(self.final_hash(name), self.final_hash(case.stem))
 
+    def test_the_number_of_threads_changes_no_bit_of_the_run(self):
+        # So many contacts that threads share them.
+        fine = settings(zone__held__radius='"0.005 m"', zone__falling__radius='"0.005 m"')
+        run, code = self.limited(FALLING_BLOCK, 300)
+        self.call("run", *run, *fine, "--output", "alone", expect=code)
+        self.assertGreater(self.summary("alone")["n_contacts"], 1024)
+        for first, then in ((2, 3), (3, 1), (8, 2)):
+            with self.subTest(threads=(first, then)):
+                name = f"threads_{first}_{then}"
+                self.call("run", *run, *fine, "--output", name, "--threads", first, "--stop-after-steps", 150)
+                self.assertEqual(self.summary(name)["threads"], first)
+                self.call("resume", name, "--quiet", "--threads", then, expect=code)
+                self.assertEqual(self.summary(name)["threads"], then)
+                self.assertEqual(self.final_hash(name), self.final_hash("alone"))
+                self.assert_same_results(name, "alone")
+
     def test_resuming_a_finished_run_changes_nothing(self):
         case = CONFIG / "column_fem.toml"
         self.call("run", case, "--output", "run")

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+
+/// Loops over rows that threads share. The only file that knows OpenMP. Results must not show which thread took which
+/// rows: a row writes what is its own, and sums go through block_sum.
+namespace ligament {
+
+/// How many threads share a loop, and whether they also share those that are too small to gain from it (for tests).
+struct Threads {
+  int count = 1;
+  bool share_small_loops = false;
+};
+
+/// Those of the process. Not to be changed while a loop is under way.
+inline Threads& threads() {
+  static Threads of_the_process;
+  return of_the_process;
+}
+
+// Starting and joining threads takes some microseconds: a loop over fewer rows is faster alone.
+inline constexpr std::size_t smallest_light_loop = 4096;  ///< a few operations per row
+inline constexpr std::size_t smallest_heavy_loop = 512;   ///< the physics of a contact or an element per row
+
+/// Whether a loop over so many rows is shared.
+inline bool is_shared(std::size_t count, std::size_t smallest_loop) {
+  return threads().count > 1 && count > 0 && (count >= smallest_loop || threads().share_small_loops);
+}
+
+/// Calls body(begin, end) for ranges of rows that together are [0, count): one for each thread if the loop is shared,
+/// else a single one, none if there are no rows. Throws what a call of the body has thrown, after all have returned.
+template <class Body>
+void parallel_ranges(std::size_t count, bool shared, Body&& body) {
+  if (!shared) {
+    if (count > 0) body(std::size_t{0}, count);
+    return;
+  }
+  const int n_ranges = threads().count;
+  std::exception_ptr failure;
+#pragma omp parallel for num_threads(n_ranges) schedule(static, 1)
+  for (int range = 0; range < n_ranges; ++range) {
+    try {
+      const std::size_t begin = count * static_cast<std::size_t>(range) / static_cast<std::size_t>(n_ranges);
+      const std::size_t end = count * static_cast<std::size_t>(range + 1) / static_cast<std::size_t>(n_ranges);
+      if (begin < end) body(begin, end);
+    } catch (...) {
+#pragma omp critical(ligament_failure)
+      failure = std::current_exception();
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+/// A loop of a few operations per row.
+template <class Body>
+void parallel_ranges(std::size_t count, Body&& body) {
+  parallel_ranges(count, is_shared(count, smallest_light_loop), body);
+}
+
+}  // namespace ligament

@@ -43,7 +43,7 @@ std::vector<std::string> describe(const Case& input, const BuiltSimulation& buil
                               sizes.n_contacts, sizes.n_edge_contacts, sizes.n_elements, sizes.n_nodes));
   for (const auto& [zone, entries] : built.reports) {
     std::string line = fmt::format("zone {}:", zone);
-    for (const auto& [name, value] : entries) line += fmt::format(" {} = {:.6g}", name, value);
+    for (const ReportEntry& entry : entries) line += fmt::format(" {} = {:.6g}", entry.name, entry.value);
     lines.push_back(std::move(line));
   }
   lines.push_back(describe_time_step(input, built.simulation));

@@ -25,8 +25,12 @@ void check_output(const std::filesystem::path& output, bool overwrite) {
   if (output.extension() != ".h5" && output.extension() != table_extension) {
     throw InputError(fmt::format("{}: the name must end in .h5 or {}", output.string(), table_extension));
   }
+  if (std::filesystem::is_directory(output)) throw InputError(fmt::format("{}: is a folder", output.string()));
   if (std::filesystem::exists(output) && !overwrite) {
     throw InputError(fmt::format("{}: exists; --overwrite replaces it", output.string()));
+  }
+  if (output.has_parent_path() && !std::filesystem::is_directory(output.parent_path())) {
+    throw InputError(fmt::format("{}: there is no folder {}", output.string(), output.parent_path().string()));
   }
 }
 

@@ -82,6 +82,7 @@ Packing RandomAssembly::generate(const Rectangle& region, std::uint64_t seed) co
   Packing packing = insert_small(draw_radii(size.x * size.y, random), inserted_part, size, random);
   grow(packing, inserted_part, size);
   for (Vector& centre : packing.position) centre += region.from;
+  sort_spatially(packing);  // so that the sums of the report are those of the particles as they will be numbered
   packing.report = report(packing, region);
   return packing;
 }

@@ -1,21 +1,16 @@
 #include "build/build_model.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "build/build_walls.hpp"
 #include "build/check_case.hpp"
-#include "core/error.hpp"
-#include "generation/spatial_order.hpp"
+#include "build/generate_packings.hpp"
 #include "mesh/boundary_facets.hpp"
 #include "mesh/element_properties.hpp"
 #include "mesh/structured_mesh.hpp"
 
 namespace ligament {
 namespace {
-
-Rectangle rectangle_of(const ZoneTable& zone) { return {to_vector(zone.from), to_vector(zone.to)}; }
 
 Index add_law(Model& model, const std::string& name, std::shared_ptr<const ConstitutiveLaw> law) {
   const std::size_t n_history = law->history().size();
@@ -96,15 +91,11 @@ BuiltModel build_model(Case& input) {
   built.model.plane = input.problem.plane;
   add_materials(input, built.model);
   add_mesh(input, built.model);
-  for (const auto& [zone, view] : input.zones) {
-    try {
-      Packing packing = zone.generator->generate(rectangle_of(zone), static_cast<std::uint64_t>(input.generation.seed));
-      sort_spatially(packing);
-      add_zone(zone, packing, built.model);
-      built.reports.push_back({zone.name, std::move(packing.report)});
-    } catch (const InputError& error) {
-      input.file.add_error(input.file.position(view), fmt::format("zone '{}': {}", zone.name, error.what()));
-    }
+  std::vector<Packing> packings = generate_packings(input);
+  for (std::size_t i = 0; i < packings.size(); ++i) {
+    const ZoneTable& zone = input.zones[i].table;
+    add_zone(zone, packings[i], built.model);
+    built.reports.push_back({zone.name, std::move(packings[i].report)});
   }
   input.file.throw_collected_errors();
   add_walls(input, built.model);

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "case/case_tables.hpp"
+#include "case/input_files.hpp"
 #include "io/case_file.hpp"
 #include "io/parameter_docs.hpp"
 
@@ -20,9 +22,11 @@ struct Read {
 
 /// A case: everything that its file says.
 struct Case {
-  explicit Case(CaseFile case_file) : file(std::move(case_file)) {}
+  Case(CaseFile case_file, InputFiles input_files)
+      : file(std::move(case_file)), files(std::make_shared<InputFiles>(std::move(input_files))) {}
 
   CaseFile file;
+  std::shared_ptr<InputFiles> files;  ///< shared with the generators that read one
   std::string title;
   ProblemTable problem;
   std::vector<Read<MaterialTable>> materials;
@@ -42,13 +46,16 @@ struct Case {
   AuditTable audit;
 };
 
-/// Reads a case file. Throws InputError with all errors of the file, each with its place.
-Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides);
+/// Reads a case file. Throws InputError with all errors of the file, each with its place. Of files that the case names,
+/// `copies` are read where there are any.
+Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides,
+               const FileCopies& copies = {});
 
 /// All tables and keys there are, for `explain`, the schema and the reference.
 std::vector<TableDescription> describe_case();
 
-/// Hash of what the case says, its layout and comments left out (32 hex digits).
+/// Hash of what the case says, its layout and comments left out, and of the files that were read for it (32 hex
+/// digits).
 std::string case_hash(const Case& input);
 
 }  // namespace ligament

@@ -69,6 +69,7 @@ struct ZoneTable {
   std::optional<std::string> interface_material;
   std::optional<double> detection_gap;
   std::optional<double> interface_gap;
+  std::string generator_name;
   std::unique_ptr<Generator> generator;
 
   void declare(Parameters& parameters);

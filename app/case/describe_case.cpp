@@ -1,6 +1,6 @@
+#include "case/all_generators.hpp"
 #include "case/case.hpp"
 #include "constitutive/register_laws.hpp"
-#include "generation/register_generators.hpp"
 #include "integrator/register_dampings.hpp"
 
 namespace ligament {
@@ -64,7 +64,7 @@ std::vector<TableDescription> describe_case() {
       describe<AuditTable>("audit", Kind::single, "How closely the energy ledger must close.")};
   for (TableDescription& table : tables) {
     if (table.path == "material.*") add_variants(table, "law", contact_laws());
-    if (table.path == "zone") add_variants(table, "generator", generators());
+    if (table.path == "zone") add_variants(table, "generator", all_generators(std::make_shared<InputFiles>(""), ""));
     if (table.path == "solver") {
       add_variants(table, "method", dampings());
       table.default_variant = "dynamic_relaxation";

@@ -1,8 +1,8 @@
+#include "case/all_generators.hpp"
 #include "case/assembly_properties.hpp"
 #include "case/case.hpp"
 #include "constitutive/register_laws.hpp"
 #include "core/text_hash.hpp"
-#include "generation/register_generators.hpp"
 #include "integrator/register_dampings.hpp"
 
 namespace ligament {
@@ -34,12 +34,12 @@ std::vector<Read<Table>> read_array(CaseFile& file, const std::string& name) {
   return tables;
 }
 
-/// Reads a table together with the keys of the product that one of them names; the product stays empty if that is
-/// wrong.
+/// Reads a table together with the keys of the product that one of them names, and returns that name; the product stays
+/// empty if it is wrong.
 template <class Table, class Interface, class Pointer>
-void read_with_choice(CaseFile& file, const TableView& view, Table& table, const Registry<Interface>& registry,
-                      const std::string& selector, Pointer& product,
-                      const std::optional<std::string>& fallback = std::nullopt) {
+std::string read_with_choice(CaseFile& file, const TableView& view, Table& table, const Registry<Interface>& registry,
+                             const std::string& selector, Pointer& product,
+                             const std::optional<std::string>& fallback = std::nullopt) {
   Parameters parameters;
   table.declare(parameters);
   const auto choice = file.peek(view, selector, registry.names(), fallback);
@@ -48,6 +48,7 @@ void read_with_choice(CaseFile& file, const TableView& view, Table& table, const
     product->declare(parameters);
   }
   file.read(view, parameters);
+  return choice.value_or("");
 }
 
 std::vector<Read<MaterialTable>> read_materials(CaseFile& file) {
@@ -62,13 +63,13 @@ std::vector<Read<MaterialTable>> read_materials(CaseFile& file) {
   return materials;
 }
 
-std::vector<Read<ZoneTable>> read_zones(CaseFile& file) {
+std::vector<Read<ZoneTable>> read_zones(CaseFile& file, const std::shared_ptr<InputFiles>& files) {
   std::vector<Read<ZoneTable>> zones;
-  const auto all_generators = generators();
   for (const TableView& view : file.array_of_tables("zone")) {
     ZoneTable zone;
     zone.name = view.name();
-    read_with_choice(file, view, zone, all_generators, "generator", zone.generator);
+    zone.generator_name =
+        read_with_choice(file, view, zone, all_generators(files, zone.name), "generator", zone.generator);
     zones.push_back({std::move(zone), view});
   }
   return zones;
@@ -83,8 +84,8 @@ void read_solver(CaseFile& file, SolverTable& solver) {
 
 }  // namespace
 
-Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-  Case input(CaseFile::load(path, overrides));
+Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides, const FileCopies& copies) {
+  Case input(CaseFile::load(path, overrides), InputFiles(path.parent_path(), copies));
   CaseFile& file = input.file;
   Parameters top;
   top.text("title", input.title, "what the case is about");
@@ -98,7 +99,7 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   }
   read_single(file, "contact", input.contact);
   read_single(file, "generation", input.generation);
-  input.zones = read_zones(file);
+  input.zones = read_zones(file, input.files);
   input.walls = read_array<WallTable>(file, "wall");
   input.supports = read_array<SupportTable>(file, "support");
   input.motions = read_array<MotionTable>(file, "motion");
@@ -122,6 +123,10 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   return input;
 }
 
-std::string case_hash(const Case& input) { return text_hash(input.file.resolved_text()); }
+std::string case_hash(const Case& input) {
+  std::string text = input.file.resolved_text();
+  for (const auto& [path, content] : input.files->contents()) text += path + '\n' + text_hash(content) + '\n';
+  return text_hash(text);
+}
 
 }  // namespace ligament

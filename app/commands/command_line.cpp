@@ -54,6 +54,7 @@ int run_command_line(int argc, char** argv) {
   add_run_command(app, action);
   add_resume_command(app, action);
   add_check_command(app, action);
+  add_generate_command(app, action);
   add_compare_command(app, action);
   add_audit_command(app, action);
   add_info_command(app, action);

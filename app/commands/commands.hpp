@@ -14,6 +14,7 @@ using Action = std::function<ExitCode()>;
 void add_run_command(CLI::App& app, Action& action);
 void add_resume_command(CLI::App& app, Action& action);
 void add_check_command(CLI::App& app, Action& action);
+void add_generate_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_audit_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);

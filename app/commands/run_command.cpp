@@ -82,7 +82,7 @@ ExitCode resume(const ResumeOptions& options) {
   threads().count = options.n_threads;
   RunDirectory directory = RunDirectory::open(options.directory);
   directory.lock();
-  Case input = read_case(directory.file("case.toml"), directory.overrides());
+  Case input = read_case(directory.file("case.toml"), directory.overrides(), directory.copies());
   BuiltSimulation built = build_simulation(input);
   Console console(options.quiet);
   console.open_log(directory.file("run.log"));

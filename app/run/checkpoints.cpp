@@ -33,8 +33,8 @@ std::optional<std::int64_t> Checkpoints::restore(Simulation& simulation, const C
   if (!checkpoint) return std::nullopt;
   if (checkpoint->header.case_hash != case_hash_) {
     throw InputError(
-        "the case in the run directory is not the one the checkpoints were written with: a case must not change "
-        "between run and resume");
+        "the case in the run directory, or a file in its inputs/, is not the one the checkpoints were written with: a "
+        "case must not change between run and resume");
   }
   State state = simulation.state();
   load_state(checkpoint->payload, checkpoint->header.array_lengths, simulation.model(), state);

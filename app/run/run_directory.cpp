@@ -101,6 +101,18 @@ class PartFolder {
   std::optional<FileDescriptor> lock_;
 };
 
+/// Writes a copy of every file that the case has read; returns where it is, by its path in the case.
+nlohmann::ordered_json write_copies(const PartFolder& folder, const InputFiles& files) {
+  nlohmann::ordered_json copies = nlohmann::ordered_json::object();
+  for (const auto& [path, content] : files.contents()) {
+    const std::string copy = fmt::format("inputs/{}{}", copies.size() + 1, fs::path(path).extension().string());
+    fs::create_directories(folder / "inputs");
+    write_atomically(folder / copy.c_str(), content);
+    copies[path] = copy;
+  }
+  return copies;
+}
+
 }  // namespace
 
 RunDirectory RunDirectory::create(const fs::path& path, const Case& input, const std::vector<std::string>& overrides,
@@ -119,11 +131,16 @@ RunDirectory RunDirectory::create(const fs::path& path, const Case& input, const
     remove_left_parts(run.path_, run.run_id_.size());
     const PartFolder part(part_of(run.path_, run.run_id_));
     fs::create_directory(part / "fields");
+    const nlohmann::ordered_json copies = write_copies(part, *input.files);
     write_atomically(part / "case.toml", input.file.text());
     write_atomically(part / "case_resolved.toml", input.file.resolved_text());
-    const nlohmann::ordered_json identity{{"program", "ligament"},  {"version", program_version()},
-                                          {"run_id", run.run_id_},  {"case", run.case_name_},
-                                          {"overrides", overrides}, {"checkpoints", run.checkpoint_folder_.string()}};
+    const nlohmann::ordered_json identity{{"program", "ligament"},
+                                          {"version", program_version()},
+                                          {"run_id", run.run_id_},
+                                          {"case", run.case_name_},
+                                          {"overrides", overrides},
+                                          {"inputs", copies},
+                                          {"checkpoints", run.checkpoint_folder_.string()}};
     write_atomically(part / identity_file, identity.dump(2) + "\n");
     part.publish(run.path_);
     run.lock();
@@ -149,6 +166,7 @@ RunDirectory RunDirectory::open(const fs::path& path) {
     run.case_name_ = identity.at("case").get<std::string>();
     run.overrides_ = identity.at("overrides").get<std::vector<std::string>>();
     run.checkpoint_folder_ = identity.at("checkpoints").get<std::string>();
+    for (const auto& [name, copy] : identity.at("inputs").items()) run.copies_[name] = run.file(copy);
   } catch (const nlohmann::json::exception& error) {
     throw FileError(fmt::format("{}: is damaged: {}", identity_path.string(), error.what()));
   }

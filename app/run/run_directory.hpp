@@ -9,7 +9,7 @@
 
 namespace ligament {
 
-/// The folder of a run: its case, what identifies it, and its results.
+/// The folder of a run: its case with copies of the files that it names, what identifies it, and its results.
 class RunDirectory {
  public:
   /// Makes the folder with the case and run.json in it, locked; it appears under its name when it is complete.
@@ -31,6 +31,8 @@ class RunDirectory {
   [[nodiscard]] const std::filesystem::path& checkpoint_folder() const { return checkpoint_folder_; }
   /// The --set of the first run.
   [[nodiscard]] const std::vector<std::string>& overrides() const { return overrides_; }
+  /// The copies of files that the case names.
+  [[nodiscard]] const FileCopies& copies() const { return copies_; }
   /// The case file as it was named.
   [[nodiscard]] const std::string& case_name() const { return case_name_; }
 
@@ -40,6 +42,7 @@ class RunDirectory {
   std::string case_name_;
   std::filesystem::path checkpoint_folder_;
   std::vector<std::string> overrides_;
+  FileCopies copies_;
   std::optional<FileDescriptor> lock_;
 };
 

@@ -58,7 +58,7 @@ std::vector<std::string> describe(const Case& input, const BuiltSimulation& buil
   }
   for (const auto& [zone, entries] : built.reports) {
     std::string line = fmt::format("zone {}:", zone);
-    for (const auto& [name, value] : entries) line += fmt::format(" {} = {:.6g}", name, value);
+    for (const ReportEntry& entry : entries) line += fmt::format(" {} = {:.6g}", entry.name, entry.value);
     lines.push_back(std::move(line));
   }
   lines.push_back(describe_time_step(input, built.simulation));

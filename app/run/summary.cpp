@@ -45,9 +45,9 @@ double largest_error(const BuiltSimulation& built, const RunSummary& summary) {
 Json packings(const BuiltSimulation& built) {
   Json zones = Json::object();
   for (const auto& [zone, entries] : built.reports) {
-    for (const auto& [name, value] : entries) {
-      const bool is_count = name.rfind("n_", 0) == 0;
-      zones[zone][name] = is_count ? Json(static_cast<std::int64_t>(value)) : Json(value);
+    for (const ReportEntry& entry : entries) {
+      const bool is_count = entry.name.starts_with("n_");
+      zones[zone][entry.name] = is_count ? Json(static_cast<std::int64_t>(entry.value)) : Json(entry.value);
     }
   }
   return zones;

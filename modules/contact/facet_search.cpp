@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "contact/cell_grid.hpp"
+#include "core/cell_grid.hpp"
 #include "core/error.hpp"
 
 namespace ligament {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/cell_grid.hpp"
+#include "core/cell_grid.hpp"
 
 namespace ligament {
 

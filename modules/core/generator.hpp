@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ class Parameters;
 struct ReportEntry {
   std::string name;
   double value = 0.0;
+  std::optional<double> target = std::nullopt;  ///< what was asked for
 };
 
 /// Discs that fill a region, and what came of it.

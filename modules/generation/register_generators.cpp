@@ -1,6 +1,7 @@
 #include "generation/register_generators.hpp"
 
 #include "generation/hexagonal.hpp"
+#include "generation/random_assembly.hpp"
 
 namespace ligament {
 
@@ -8,6 +9,8 @@ Registry<Generator> generators() {
   Registry<Generator> all("generator");
   all.add("hexagonal", "equal discs in a hexagonal lattice fitted to the zone",
           [] { return std::make_unique<Hexagonal>(); });
+  all.add("random", "discs of random radii, grown and squeezed until their overlaps are even",
+          [] { return std::make_unique<RandomAssembly>(); });
   return all;
 }
 

@@ -8,20 +8,12 @@
 #include <string_view>
 
 #include "io/atomic_file.hpp"
-#include "io/hdf5_handle.hpp"
+#include "io/hdf5_image.hpp"
 
 namespace ligament {
 namespace {
 
-constexpr auto write_action = "write";
 constexpr auto read_action = "read";
-
-hid_t stored_type(const double*) { return H5T_IEEE_F64LE; }
-hid_t stored_type(const std::int64_t*) { return H5T_STD_I64LE; }
-hid_t stored_type(const std::uint8_t*) { return H5T_STD_U8LE; }
-hid_t memory_type(const double*) { return H5T_NATIVE_DOUBLE; }
-hid_t memory_type(const std::int64_t*) { return H5T_NATIVE_INT64; }
-hid_t memory_type(const std::uint8_t*) { return H5T_NATIVE_UINT8; }
 
 std::size_t points_per_cell(CellType type) {
   switch (type) {
@@ -35,14 +27,12 @@ std::size_t points_per_cell(CellType type) {
   throw std::logic_error("unknown shape of cells");
 }
 
-/// Builds a file in memory: HDF5 keeps data back until it closes a file, and does not recover from a disk that is full
-/// by then, so its own files cannot be written reliably.
-class VtkhdfImage {
+/// The groups of a VTKHDF file.
+class VtkhdfImage : public Hdf5Image {
  public:
   explicit VtkhdfImage(const std::filesystem::path& path)
-      : check_(path),
-        file_(create_file(path)),
-        root_(create_group(file_.get(), "VTKHDF")),
+      : Hdf5Image(path),
+        root_(create_group(file(), "VTKHDF")),
         point_data_(create_group(root_.get(), "PointData")),
         cell_data_(create_group(root_.get(), "CellData")) {}
 
@@ -50,78 +40,7 @@ class VtkhdfImage {
   [[nodiscard]] hid_t point_data() const { return point_data_.get(); }
   [[nodiscard]] hid_t cell_data() const { return cell_data_.get(); }
 
-  /// Adds a list of values, or a table with rows of `n_columns` if that is more than one.
-  template <class Value>
-  Hdf5Handle add_dataset(hid_t parent, const char* name, std::span<const Value> values, std::size_t n_columns = 1) {
-    const std::array<hsize_t, 2> shape{values.size() / n_columns, n_columns};
-    const Hdf5Handle space = own(H5Screate_simple(n_columns == 1 ? 1 : 2, shape.data(), nullptr), H5Sclose);
-    const Hdf5Handle properties = without_times(H5P_DATASET_CREATE);
-    Hdf5Handle dataset = own(
-        H5Dcreate2(parent, name, stored_type(values.data()), space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT),
-        H5Dclose);
-    expect(H5Dwrite(dataset.get(), memory_type(values.data()), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-    return dataset;
-  }
-
-  template <class Value>
-  void add_attribute(hid_t object, const char* name, std::span<const Value> values) {
-    const hsize_t length = values.size();
-    const Hdf5Handle space =
-        length == 1 ? own(H5Screate(H5S_SCALAR), H5Sclose) : own(H5Screate_simple(1, &length, nullptr), H5Sclose);
-    write_attribute(object, name, stored_type(values.data()), memory_type(values.data()), space, values.data());
-  }
-
-  /// ParaView wants fixed-length ASCII without a terminator.
-  void add_attribute(hid_t object, const char* name, std::string_view text) {
-    const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
-    const Hdf5Handle type = own(H5Tcopy(H5T_C_S1), H5Tclose);
-    expect(H5Tset_size(type.get(), padded.size()));
-    expect(H5Tset_strpad(type.get(), H5T_STR_NULLPAD));
-    write_attribute(object, name, type.get(), type.get(), own(H5Screate(H5S_SCALAR), H5Sclose), padded.data());
-  }
-
-  [[nodiscard]] std::string bytes() {
-    expect(H5Fflush(file_.get(), H5F_SCOPE_LOCAL));
-    const ssize_t size = H5Fget_file_image(file_.get(), nullptr, 0);
-    expect(size);
-    std::string image(static_cast<std::size_t>(size), '\0');
-    expect(H5Fget_file_image(file_.get(), image.data(), image.size()));
-    return image;
-  }
-
  private:
-  Hdf5Handle own(hid_t id, Hdf5Handle::Release release) const { return check_.own(id, release, write_action); }
-  void expect(std::int64_t returned) const { check_.expect(returned, write_action); }
-
-  /// Object times would make the bytes depend on the clock on the wall.
-  Hdf5Handle without_times(hid_t property_class) const {
-    Hdf5Handle properties = own(H5Pcreate(property_class), H5Pclose);
-    expect(H5Pset_obj_track_times(properties.get(), false));
-    return properties;
-  }
-
-  Hdf5Handle create_file(const std::filesystem::path& path) const {
-    constexpr std::size_t growth_in_bytes = 1 << 20;
-    constexpr hbool_t on_disk = false;
-    const Hdf5Handle access = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    expect(H5Pset_fapl_core(access.get(), growth_in_bytes, on_disk));
-    const Hdf5Handle creation = without_times(H5P_FILE_CREATE);
-    return own(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
-  }
-
-  Hdf5Handle create_group(hid_t parent, const char* name) const {
-    const Hdf5Handle creation = without_times(H5P_GROUP_CREATE);
-    return own(H5Gcreate2(parent, name, H5P_DEFAULT, creation.get(), H5P_DEFAULT), H5Gclose);
-  }
-
-  void write_attribute(hid_t object, const char* name, hid_t stored, hid_t in_memory, const Hdf5Handle& space,
-                       const void* values) const {
-    const Hdf5Handle attribute = own(H5Acreate2(object, name, stored, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    expect(H5Awrite(attribute.get(), in_memory, values));
-  }
-
-  Hdf5Checker check_;
-  Hdf5Handle file_;
   Hdf5Handle root_;
   Hdf5Handle point_data_;
   Hdf5Handle cell_data_;

@@ -115,6 +115,8 @@ TEST_CASE("the numbers of bodies of the columns are those of the paper") {
   CHECK(contains(sizes("column_fem.toml"), "0 particles, 0 contacts, 0 edge contacts, 18 elements, 28 nodes"));
   CHECK(contains(sizes("column_hexagonal_h1.toml"), "595 particles"));
   CHECK(contains(sizes("column_hexagonal_h2.toml"), "357 particles"));
+  CHECK(contains(sizes("column_random_r1.toml"), "1258 particles"));
+  CHECK(contains(sizes("column_random_r2.toml"), "773 particles"));
 }
 
 TEST_CASE("hexagonal assemblies between walls have the elastic constants of the paper's Table 1") {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/cell_grid.hpp"
 #include "contact/particle_search.hpp"
+#include "core/cell_grid.hpp"
 #include "core/error.hpp"
 #include "reference/all_pairs_search.hpp"
 #include "support/random_numbers.hpp"

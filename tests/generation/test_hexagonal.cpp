@@ -7,34 +7,23 @@
 #include "core/error.hpp"
 #include "core/parameters.hpp"
 #include "generation/hexagonal.hpp"
-#include "generation/register_generators.hpp"
 #include "reference/all_pairs_search.hpp"
+#include "support/made_generator.hpp"
 
 using namespace ligament;
+using namespace ligament::support;
 
 namespace {
 
 std::unique_ptr<Generator> hexagonal(double radius, const std::string& lines = "shorter_side") {
-  auto generator = generators().create("hexagonal");
-  Parameters parameters;
-  generator->declare(parameters);
-  for (Parameter& parameter : parameters.list()) {
-    if (parameter.name == "radius") parameter.assign(radius);
-    if (parameter.name == "lines") parameter.assign(lines);
-  }
-  return generator;
+  return made_generator("hexagonal", {{"radius", radius}, {"lines", lines}});
 }
 
 Packing fill(double width, double height, double radius, const std::string& lines = "shorter_side") {
   return hexagonal(radius, lines)->generate({{0.0, 0.0}, {width, height}}, 1);
 }
 
-double entry(const Packing& packing, const std::string& name) {
-  const auto found = std::find_if(packing.report.begin(), packing.report.end(),
-                                  [&](const ReportEntry& line) { return line.name == name; });
-  REQUIRE(found != packing.report.end());
-  return found->value;
-}
+double entry(const Packing& packing, const std::string& name) { return value_of(packing.report, name); }
 
 /// Number of particles at each coordinate of an axis.
 std::map<long, int> counts_by_line(const Packing& packing, int axis) {

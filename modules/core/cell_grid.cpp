@@ -1,4 +1,4 @@
-#include "contact/cell_grid.hpp"
+#include "core/cell_grid.hpp"
 
 #include <fmt/format.h>
 

@@ -56,6 +56,7 @@ Simulation::Simulation(Model model, Modules modules, TimeStepChoice time_step)
     : model_(std::move(model)), modules_(std::move(modules)), choice_(time_step) {
   prepare_state();
   choose_time_step();
+  if (modules_.integrator->needs_stiffness()) modules_.integrator->use_stiffness(model_, state_, stiffness());
   add_forces();
   modules_.integrator->update_velocities(model_, state_);
   for (auto& constraint : modules_.constraints) constraint->apply(model_, state_);
@@ -111,6 +112,12 @@ StiffnessBounds Simulation::stiffness_bounds() const {
   return bounds;
 }
 
+StiffnessSum Simulation::stiffness() const {
+  StiffnessSum sum(model_);
+  for (const auto& provider : modules_.force_providers) provider->assemble(model_, state_, sum);
+  return sum;
+}
+
 void Simulation::prepare_state() {
   resize(state_.particles.translation, model_.particles.size());
   resize(state_.particles.rotation, model_.particles.size());
@@ -139,6 +146,8 @@ void Simulation::choose_time_step() {
 }
 
 void Simulation::check_time_step() {
+  // Masses made from the stiffness at set-up stay: bonds that break only soften it.
+  if (modules_.integrator->needs_stiffness()) return;
   const StiffnessBounds bounds = stiffness_bounds();
   if (choice_.masses == Masses::scaled) {
     const double energy = raise_scaled_masses(model_, state_, bounds, choice_.safety);

@@ -50,6 +50,8 @@ class Simulation {
   [[nodiscard]] Unbalance unbalance() const;
   /// Bound of the stiffness that each body feels.
   [[nodiscard]] StiffnessBounds stiffness_bounds() const;
+  /// Stiffness of elements and contacts.
+  [[nodiscard]] StiffnessSum stiffness() const;
 
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }

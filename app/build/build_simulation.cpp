@@ -6,7 +6,6 @@
 #include "build/unsupported_bodies.hpp"
 #include "contact/contact_forces.hpp"
 #include "contact/grid_contact_detector.hpp"
-#include "integrator/central_difference.hpp"
 #include "integrator/gravity.hpp"
 #include "mesh/element_forces.hpp"
 
@@ -50,7 +49,7 @@ BuiltSimulation build_simulation(Case& input) {
   motion->fix(built.model);
 
   Modules modules;
-  modules.integrator = std::make_unique<CentralDifference>(std::move(input.solver.damping));
+  modules.integrator = std::move(input.solver.integrator);
   modules.contact_detector = std::make_unique<GridContactDetector>(skin_of(input, built.model));
   modules.force_providers = force_providers(input, std::move(conditions.loads));
   modules.constraints.push_back(std::move(motion));

@@ -176,7 +176,7 @@ struct SolverTable {
   std::int64_t max_steps = 0;
   std::int64_t check_every = 10;
   std::string method;
-  std::unique_ptr<Damping> damping;
+  std::unique_ptr<Integrator> integrator;
 
   void declare(Parameters& parameters);
 };

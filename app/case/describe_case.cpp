@@ -1,7 +1,7 @@
 #include "case/all_generators.hpp"
 #include "case/case.hpp"
 #include "constitutive/register_laws.hpp"
-#include "integrator/register_dampings.hpp"
+#include "integrator/register_methods.hpp"
 
 namespace ligament {
 namespace {
@@ -66,7 +66,7 @@ std::vector<TableDescription> describe_case() {
     if (table.path == "material.*") add_variants(table, "law", contact_laws());
     if (table.path == "zone") add_variants(table, "generator", all_generators(std::make_shared<InputFiles>(""), ""));
     if (table.path == "solver") {
-      add_variants(table, "method", dampings());
+      add_variants(table, "method", solver_methods());
       table.default_variant = "dynamic_relaxation";
     }
   }

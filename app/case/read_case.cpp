@@ -3,7 +3,7 @@
 #include "case/case.hpp"
 #include "constitutive/register_laws.hpp"
 #include "core/text_hash.hpp"
-#include "integrator/register_dampings.hpp"
+#include "integrator/register_methods.hpp"
 
 namespace ligament {
 namespace {
@@ -77,9 +77,9 @@ std::vector<Read<ZoneTable>> read_zones(CaseFile& file, const std::shared_ptr<In
 
 void read_solver(CaseFile& file, SolverTable& solver) {
   const TableView view = file.table("solver");
-  solver.method = file.peek(view, "method", dampings().names(), default_method).value_or(default_method);
+  solver.method = file.peek(view, "method", solver_methods().names(), default_method).value_or(default_method);
   if (solver.method == default_method) solver.unbalanced_force_ratio = default_force_ratio;
-  read_with_choice(file, view, solver, dampings(), "method", solver.damping, default_method);
+  read_with_choice(file, view, solver, solver_methods(), "method", solver.integrator, default_method);
 }
 
 }  // namespace

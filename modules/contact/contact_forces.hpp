@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/contact_ends.hpp"
+#include "contact/contact_springs.hpp"
 #include "contact/law_ranges.hpp"
 #include "contact/pairings.hpp"
 #include "core/block_sum.hpp"
@@ -26,6 +27,10 @@ class ContactForces : public ForceProvider {
     for (std::size_t row = 0; row < Pairing::table(state).size(); ++row) {
       Pairing::add_stiffness(model, state, row, Pairing::motion(model, state, row).geometry, bounds);
     }
+  }
+
+  void assemble(const Model& model, const State& state, StiffnessSum& stiffness) const override {
+    assemble_contacts<Pairing>(model, state, stiffness);
   }
 
   [[nodiscard]] ForceMagnitudes internal_forces(const Model& /*model*/, const State& state) const override {

@@ -108,11 +108,13 @@ void visit_fields(Table& table, Visitor&& visit) {
 
 template <TableOf<RelaxationState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
-  auto& [damping, particle_force, particle_moment, node_force] = table;
+  auto& [damping, particle_force, particle_moment, node_force, momentum, force] = table;
   visit("damping", damping, FieldRole::physics);
   visit("particle_force", particle_force, FieldRole::physics);
   visit("particle_moment", particle_moment, FieldRole::physics);
   visit("node_force", node_force, FieldRole::physics);
+  visit("momentum", momentum, FieldRole::physics);
+  visit("force", force, FieldRole::physics);
 }
 
 template <TableOf<EnergyLedger> Table, class Visitor>

@@ -6,6 +6,7 @@
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/stiffness_bounds.hpp"
+#include "core/stiffness_sum.hpp"
 
 namespace ligament {
 
@@ -41,6 +42,9 @@ class ForceProvider : public EnergySource {
 
   /// Adds its rows to the Gershgorin bound; forces without stiffness add nothing.
   virtual void add_stiffness(const Model& /*model*/, const State& /*state*/, StiffnessBounds& /*bounds*/) const {}
+
+  /// Adds its stiffness about the state at set-up; forces without stiffness add nothing.
+  virtual void assemble(const Model& /*model*/, const State& /*state*/, StiffnessSum& /*stiffness*/) const {}
 
   /// The forces that say how large an unbalanced force is: those of contacts; those of elements where there are no
   /// particles.

@@ -7,6 +7,14 @@ namespace ligament {
 /// The law of motion, Eqs (1)-(2).
 class Integrator : public EnergySource {
  public:
+  /// Its parameters, read from the table [solver].
+  virtual void declare(class Parameters& parameters) = 0;
+
+  /// Whether it makes masses of its own from the stiffness of the structure.
+  [[nodiscard]] virtual bool needs_stiffness() const { return false; }
+  /// Called once at set-up, after bodies have their masses, if it does.
+  virtual void use_stiffness(const Model& /*model*/, const State& /*state*/, const StiffnessSum& /*stiffness*/) {}
+
   /// x(n) = x(n-1) + v(n-½) Δt.
   virtual void update_positions(const Model& model, State& state) const = 0;
 

@@ -111,6 +111,9 @@ struct RelaxationState {
   Field<Vector> particle_force;
   Field<Moment> particle_moment;
   Field<Vector> node_force;
+  /// Of relaxation with two levels of masses: momenta p(n+½) and forces at n of all freedoms in one column.
+  Field<double> momentum;
+  Field<double> force;
 };
 
 struct State {

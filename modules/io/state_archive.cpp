@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "core/fields.hpp"
+#include "core/stiffness_sum.hpp"
 
 namespace ligament {
 namespace {
@@ -35,6 +36,7 @@ bool may_be_empty(const std::string& name) { return name.rfind("relaxation.", 0)
 
 std::uint64_t wanted_length(const std::string& name, std::uint64_t built, const Model& model) {
   if (name == "relaxation.node_force") return model.nodes.size();
+  if (name == "relaxation.momentum" || name == "relaxation.force") return FreedomNumbers(model).count();
   if (may_be_empty(name)) return model.particles.size();
   return built;
 }

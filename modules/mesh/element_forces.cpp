@@ -87,6 +87,16 @@ void ElementForces::add_stiffness(const Model& model, const State& /*state*/, St
   }
 }
 
+void ElementForces::assemble(const Model& model, const State& /*state*/, StiffnessSum& stiffness) const {
+  for (std::size_t element = 0; element < model.elements.size(); ++element) {
+    std::array<Index, 8> freedoms;
+    for (std::size_t k = 0; k < 8; ++k) {
+      freedoms[k] = stiffness.numbers().node(model.elements.nodes[element][k / 2], static_cast<int>(k % 2));
+    }
+    stiffness.add_element(freedoms, model.elements.stiffness[element]);
+  }
+}
+
 ForceMagnitudes ElementForces::internal_forces(const Model& model, const State& state) const {
   if (model.particles.size() > 0) return {};
   return block_sum(model.elements.size(), [&](std::size_t element) {

@@ -8,7 +8,7 @@
 #include "integrator/dynamic_relaxation.hpp"
 #include "integrator/local_damping.hpp"
 #include "integrator/no_damping.hpp"
-#include "integrator/register_dampings.hpp"
+#include "integrator/register_methods.hpp"
 #include "support/hand_made_model.hpp"
 #include "support/resting_state.hpp"
 
@@ -161,21 +161,32 @@ TEST_CASE("dynamic relaxation: prescribed freedoms do not count, and c Δt stays
   CHECK(damping.coefficients(model, state).viscous == 0.0);
 }
 
-TEST_CASE("dampings are found by the name of the solver method, with their parameters") {
-  const auto all = dampings();
-  CHECK(all.names() == std::vector<std::string>{"dynamic_relaxation", "local_damping", "undamped"});
+TEST_CASE("ways of stepping are found by the name of the solver method, with their parameters") {
+  const auto all = solver_methods();
+  CHECK(all.names() ==
+        std::vector<std::string>{"dynamic_relaxation", "local_damping", "two_level_relaxation", "undamped"});
   CHECK_THROWS_AS(static_cast<void>(all.create("relaxation")), InputError);
+  const auto parameter_of = [&](const std::string& method) {
+    Parameters parameters;
+    const auto integrator = all.create(method);
+    integrator->declare(parameters);
+    return parameters.empty() ? std::string{} : parameters.list().front().name;
+  };
+  CHECK(parameter_of("local_damping") == "local_damping");
+  CHECK(parameter_of("dynamic_relaxation") == "damping_ratio");
+  CHECK(parameter_of("two_level_relaxation") == "smallest_damping");
+  CHECK(parameter_of("undamped").empty());
+}
 
-  const auto local = all.create("local_damping");
+TEST_CASE("local damping takes its coefficient from the case") {
+  LocalDamping local;
   Parameters parameters;
-  local->declare(parameters);
-  REQUIRE(parameters.find("local_damping") != nullptr);
+  local.declare(parameters);
   parameters.list().front().assign(0.25);
   const Model model = bodies();
   State state = resting_state(model);
-  CHECK(local->coefficients(model, state).local == 0.25);
-
-  const DampingCoefficients none = all.create("undamped")->coefficients(model, state);
+  CHECK(local.coefficients(model, state).local == 0.25);
+  const DampingCoefficients none = NoDamping().coefficients(model, state);
   CHECK(none.local == 0.0);
   CHECK(none.viscous == 0.0);
 }

@@ -5,7 +5,7 @@
 
 namespace ligament {
 
-/// The ways of damping, by the name of the solver method that uses them.
-Registry<Damping> dampings();
+/// The ways of stepping, by the name of the solver method.
+Registry<Integrator> solver_methods();
 
 }  // namespace ligament

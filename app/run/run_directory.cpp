@@ -166,7 +166,8 @@ RunDirectory RunDirectory::open(const fs::path& path) {
     run.case_name_ = identity.at("case").get<std::string>();
     run.overrides_ = identity.at("overrides").get<std::vector<std::string>>();
     run.checkpoint_folder_ = identity.at("checkpoints").get<std::string>();
-    for (const auto& [name, copy] : identity.at("inputs").items()) run.copies_[name] = run.file(copy);
+    const auto inputs = identity.value("inputs", nlohmann::json::object());
+    for (const auto& [name, copy] : inputs.items()) run.copies_[name] = run.file(copy);
   } catch (const nlohmann::json::exception& error) {
     throw FileError(fmt::format("{}: is damaged: {}", identity_path.string(), error.what()));
   }

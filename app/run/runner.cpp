@@ -61,7 +61,12 @@ ExitCode Runner::start() {
   table_.show_header();
   table_.show(results_->write_row(built_));
   results_->write_fields(built_.simulation);
-  save_checkpoint(false);
+  try {
+    save_checkpoint(false);
+  } catch (const DivergenceError& error) {
+    divergence_ = error.what();
+    return finish(Ending::diverged);
+  }
   return go_on();
 }
 

@@ -92,6 +92,12 @@ void RandomAssembly::check(const Vector& size) const {
     throw InputError(
         fmt::format("the smallest radius, {} m, is larger than the largest, {} m", smallest_radius_, largest_radius_));
   }
+  // choice: beyond this, drawing by rejection takes longer than packing.
+  constexpr double widest_range = 1000.0;
+  if (radii_ == Radii::log_uniform && largest_radius_ > widest_range * smallest_radius_) {
+    throw InputError(fmt::format("log-uniform radii may differ by a factor of {} at most; these differ by {:.4g}",
+                                 widest_range, largest_radius_ / smallest_radius_));
+  }
   if (count_.has_value() == area_ratio_.has_value()) {
     throw InputError(fmt::format("a random assembly needs either 'count' or 'area_ratio'; {} given",
                                  count_ ? "both are" : "none is"));
@@ -133,6 +139,7 @@ Field<double> RandomAssembly::draw_by_area(double wanted, RandomNumbers& random)
     // The last disc is left out if the sum is nearer to what is wanted without it.
     if (!radii.empty() && sum + 0.5 * disc_area(radius) > wanted) return radii;
     radii.push_back(radius);
+    check_particle_count(static_cast<double>(radii.size()));
     sum += disc_area(radius);
   }
 }

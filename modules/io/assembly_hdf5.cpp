@@ -98,13 +98,13 @@ class AssemblyReader {
     if (H5Tis_variable_str(type.get()) > 0) {
       char* text = nullptr;
       expect(H5Aread(attribute.get(), type.get(), static_cast<void*>(&text)));
-      const std::string result = text == nullptr ? "" : text;
+      std::string result = text == nullptr ? "" : text;
       H5free_memory(text);
       return result;
     }
     std::string text(H5Tget_size(type.get()), '\0');
     expect(H5Aread(attribute.get(), type.get(), text.data()));
-    return text.c_str();
+    return text.substr(0, text.find('\0'));
   }
 
   std::string path_;

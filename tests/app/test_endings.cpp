@@ -57,9 +57,9 @@ TEST_CASE("audit shows the ledger of a run, finished or not") {
 
 TEST_CASE("steps that are too few to converge") {
   const Workplace place;
-  const Finished run = place.run({"run", column, "--output", "run", "--set", "solver.max_steps=50"});
+  const Finished run = place.run({"run", column, "--output", "run", "--set", "solver.max_steps=20"});
   CHECK(run.code == 6);
-  CHECK(contains(run.out, "not_converged at step 50"));
+  CHECK(contains(run.out, "not_converged at step 20"));
   CHECK(summary_of(place).at("ended") == "not_converged");
   CHECK(summary_of(place).at("audit") == "passed");
   CHECK(summary_of(place).at("force_mismatch_max").is_null());
@@ -83,15 +83,15 @@ TEST_CASE("numbers that overflow are a divergence, not a result") {
 
 TEST_CASE("stopping is no end") {
   const Workplace place;
-  const Finished run = place.run({"run", column, "--output", "run", "--stop-after-steps", "120"});
+  const Finished run = place.run({"run", column, "--output", "run", "--stop-after-steps", "12"});
   CHECK(run.code == 0);
-  CHECK(contains(run.out, "stopped at step 120"));
+  CHECK(contains(run.out, "stopped at step 12"));
   CHECK(contains(run.out, "to go on: ligament resume "));
   CHECK(summary_of(place).at("ended") == "stopped");
   // Rows stand where the case wants them, not where the run was stopped.
-  CHECK(ligament::read_csv(place / "run/history.csv").rows.back().front() == "100");
-  CHECK(place.run({"resume", "run", "--until-step", "130"}).code == 0);
-  CHECK(summary_of(place).at("steps") == 130);
+  CHECK(ligament::read_csv(place / "run/history.csv").rows.back().front() == "0");
+  CHECK(place.run({"resume", "run", "--until-step", "13"}).code == 0);
+  CHECK(summary_of(place).at("steps") == 13);
   CHECK(place.run({"resume", "run"}).code == 0);
   CHECK(summary_of(place).at("ended") == "converged");
 }

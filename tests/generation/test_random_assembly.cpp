@@ -147,6 +147,8 @@ TEST_CASE("what cannot be packed is refused in words") {
   CHECK(message({}) == "a random assembly needs either 'count' or 'area_ratio'; none is given");
   CHECK(message({{"count", count}, {"area_ratio", 1.0}}) ==
         "a random assembly needs either 'count' or 'area_ratio'; both are given");
+  CHECK(message({{"count", count}, {"smallest_radius", 1e-6}, {"radii", std::string("log_uniform")}}) ==
+        "log-uniform radii may differ by a factor of 1000 at most; these differ by 1e+04");
   CHECK(message({{"count", count}, {"largest_radius", 0.2}}) == "discs of radius 0.2 m do not fit into 0.4 m × 0.3 m");
   CHECK(message({{"count", std::int64_t{5000}}}) ==
         "5000 discs of 0.005 m to 0.01 m radius have 7.67 times the area of the zone, and at most 1.5 can be packed: "

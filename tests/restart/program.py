@@ -11,7 +11,7 @@ from pathlib import Path
 PROGRAM = os.environ["LIGAMENT"]
 ROOT = Path(__file__).resolve().parents[2]
 CONFIG = ROOT / "config"
-COLUMNS = [CONFIG / f"column_{name}.toml" for name in ("fem", "hexagonal_h1", "hexagonal_h2")]
+COLUMNS = [CONFIG / f"column_{name}.toml" for name in ("fem", "hexagonal_h1", "hexagonal_h2", "random_r2")]
 FALLING_BLOCK = Path(__file__).resolve().parent / "falling_block.toml"
 DONE, DIFFERENT, WRONG_INPUT, FILE_ERROR, NOT_CONVERGED, INTERRUPTED, TERMINATED = 0, 1, 2, 5, 6, 130, 143
 
@@ -19,6 +19,10 @@ DONE, DIFFERENT, WRONG_INPUT, FILE_ERROR, NOT_CONVERGED, INTERRUPTED, TERMINATED
 def settings(**values):
     """Options that replace values of a case: settings(output__every=1) sets output.every."""
     return [word for key, value in values.items() for word in ("--set", f"{key.replace('__', '.')}={value}")]
+
+
+# Keeps a column from converging, so that it goes on to its last step.
+ENDLESS = settings(solver__unbalanced_force_ratio=1e-300)
 
 
 def scratch_parent():

@@ -128,7 +128,7 @@ class FullDisk(ProgramTest):
         self.assertIn("step 100: stopped without a checkpoint", err)
 
     def test_results_that_find_no_room_end_the_run_and_are_resumed(self):
-        case = [COLUMNS[0], *settings(output__every=1, checkpoint__every=10)]
+        case = [COLUMNS[0], *settings(solver__method="dynamic_relaxation", output__every=1, checkpoint__every=10)]
         self.call("run", *case, "--output", "whole", "--quiet")
         checkpoint_size = max(file.stat().st_size for file in self.checkpoints("whole"))
         history_size = len(self.results("whole")["history.csv"])

@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from program import COLUMNS, DONE, FALLING_BLOCK, NOT_CONVERGED, ProgramTest, settings
+from program import COLUMNS, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, ProgramTest, settings
 
 EVERYTHING_AT_EVERY_STEP = settings(checkpoint__every=1, output__every=1, output__fields_every=20)
 
@@ -48,7 +48,7 @@ class Kill(ProgramTest):
 
     def test_columns(self):
         for number, case in enumerate(COLUMNS):
-            options = [case, "--quiet", *settings(solver__max_steps=300), *EVERYTHING_AT_EVERY_STEP]
+            options = [case, "--quiet", *ENDLESS, *settings(solver__max_steps=300), *EVERYTHING_AT_EVERY_STEP]
             with self.subTest(case=case.stem):
                 self.kill_and_resume(options, NOT_CONVERGED, n_kills=20, seed=number)
             shutil.rmtree(self.folder)

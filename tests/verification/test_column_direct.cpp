@@ -25,7 +25,8 @@ double largest_difference(const Field<Vector>& a, const Field<Vector>& b) {
 }  // namespace
 
 TEST_CASE("relaxed columns agree with the direct solution to 1e-6") {
-  for (const char* name : {"column_fem", "column_hexagonal_h1", "column_hexagonal_h2"}) {
+  for (const char* name :
+       {"column_fem", "column_hexagonal_h1", "column_hexagonal_h2", "column_random_r1", "column_random_r2"}) {
     CAPTURE(name);
     Case input = read_case(std::string(LIGAMENT_SOURCE_DIR "/config/") + name + ".toml", {});
     Simulation simulation = build_simulation(input).simulation;

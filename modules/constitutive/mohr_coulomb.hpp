@@ -1,12 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "constitutive/frictional.hpp"
-#include "constitutive/point_law.hpp"
+#include "constitutive/mohr_coulomb_strength.hpp"
 #include "constitutive/softening_mode.hpp"
-#include "core/parameters.hpp"
 
 namespace ligament {
 
@@ -16,12 +11,12 @@ enum class Unloading {
   elastic,  ///< along k_n to a permanent opening, free of force until the reference gap is closed
 };
 
-/// A bond with a tension limit (1 - D) σ_t A and a Mohr-Coulomb limit of shear (1 - D) C A + μ F_n, F_n > 0, which
+/// A bond with the tension limit (1 - D) σ_t A and the shear limit (1 - D) C A + μ F_n, F_n > 0, which
 /// soften along a curve s(w): D_t = 1 - s(w_t), D_s = 1 - s(w_s). w_t is the largest opening less that of the spring,
 /// w_s the accumulated slip less that of the spring. Limits and w of a step are solved together. At D = 1 the bond is
 /// broken: what is left is contact with friction. docs/theory.md, section 4, derives what it stores and spends.
 template <SofteningCurve Curve>
-struct MohrCoulomb {
+struct MohrCoulomb : MohrCoulombStrength {
   enum Variable : std::size_t {
     opening_inelastic,
     slip_inelastic,
@@ -30,9 +25,8 @@ struct MohrCoulomb {
     friction_work,
     coupling_tension,
     coupling_shear,
-    n_variables
+    n_history
   };
-  static constexpr std::size_t n_history = n_variables;
   using History = std::array<double, n_history>;
 
   static std::array<HistoryVariable, n_history> history() {
@@ -45,9 +39,6 @@ struct MohrCoulomb {
             HistoryVariable{"coupling_tension", "J", 0.0}, HistoryVariable{"coupling_shear", "J", 0.0}};
   }
 
-  double tensile_strength = 0.0;         ///< σ_t (Pa)
-  double cohesion = 0.0;                 ///< C (Pa)
-  double friction_coefficient = 0.0;     ///< μ
   double fracture_energy_tension = 0.0;  ///< G_ft (J/m2)
   double fracture_energy_shear = 0.0;    ///< G_fc (J/m2)
   DamageCoupling coupling = DamageCoupling::sum;
@@ -59,16 +50,13 @@ struct MohrCoulomb {
   void evaluate(const ContactInput& input, ContactForce& force, History& history) const {
     const double normal = -input.normal_stiffness * input.opening;
     const ShearVector shear = force.shear - input.shear_stiffness * input.slip_increment;
-    if (force.bond == BondState::bonded && normal >= -tensile_strength * input.area &&
-        std::abs(shear) <= cohesion * input.area + friction_coefficient * std::max(0.0, normal)) {
+    if (force.bond == BondState::bonded && carries(input.area, normal, shear)) {
       force.normal = normal;
       force.shear = shear;
     } else if (force.bond == BondState::bonded || force.bond == BondState::softening) {
       soften(input, shear, force, history);
     } else {
-      std::array<double, 1> friction{history[friction_work]};
-      Frictional{friction_coefficient}.evaluate(input, force, friction);
-      history[friction_work] = friction[0];
+      slide(input, force, history[friction_work]);
     }
   }
 
@@ -208,13 +196,7 @@ struct MohrCoulomb {
 
 template <SofteningCurve Curve>
 void MohrCoulomb<Curve>::declare(Parameters& parameters) {
-  parameters.quantity("tensile_strength", tensile_strength, "Pa", "tensile strength σ_t of bonds")
-      .required()
-      .greater_than(0.0);
-  parameters.quantity("cohesion", cohesion, "Pa", "cohesion C: shear strength of bonds without pressure")
-      .required()
-      .greater_than(0.0);
-  parameters.number("friction_coefficient", friction_coefficient, "friction coefficient μ").required().at_least(0.0);
+  MohrCoulombStrength::declare(parameters);
   parameters
       .quantity("fracture_energy_tension", fracture_energy_tension, "J/m2",
                 "energy G_ft that breaks a bond in tension, per area")

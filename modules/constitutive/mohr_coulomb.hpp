@@ -108,15 +108,16 @@ struct MohrCoulomb : MohrCoulombStrength {
     const double pull = input.opening > 0.0 ? tension_force(input, now) : 0.0;
     const double slip = std::max(0.0, trial_size - limit) / input.shear_stiffness;
     history[friction_work] += 0.5 * friction_coefficient * (std::max(0.0, force.normal) + pressure) * slip;
-    book_coupling(input, -force.normal, pull, before, now, history);
-
+    if (now.tension.w != before.tension.w || now.shear.w != before.shear.w) {
+      book_coupling(input, -force.normal, pull, before, now, history);
+      history[opening_inelastic] = now.tension.w;
+      history[slip_inelastic] = now.shear.w;
+      history[damage_tension] = now.tension.damage;
+      history[damage_shear] = now.shear.damage;
+    }
     force.normal = pressure - pull;
     force.shear = slip > 0.0 ? limit / trial_size * trial : trial;
     force.bond = is_broken(coupling, now.tension.damage, now.shear.damage) ? BondState::broken : BondState::softening;
-    history[opening_inelastic] = now.tension.w;
-    history[slip_inelastic] = now.shear.w;
-    history[damage_tension] = now.tension.damage;
-    history[damage_shear] = now.shear.damage;
   }
 
   [[nodiscard]] double left(const ModeDamage& own, const ModeDamage& other) const {

@@ -50,15 +50,17 @@ struct SofteningMode {
     return 0.0;
   }
 
-  /// A contact with the flexibility A/k snaps back unless G >= |s'| f² A/k with the steepest slope of s(x).
+  /// Where the strength falls faster with w than the spring gives way, a contact snaps back. It does not if
+  /// G >= c f² A/k, c the steepest slope of s(x).
   [[nodiscard]] std::optional<LawComplaint> complaint(const char* parameter, double flexibility) const {
     const double least = curve.steepest() * strength * strength * flexibility;
     if (fracture_energy >= least) return {};
     return LawComplaint{
-        least / fracture_energy,
-        fmt::format("'{}' is {:.4g} J/m2, but must be at least {:.4g} J/m2, or the strength falls faster "
-                    "than the spring unloads; take more, smaller particles or \"mohr_coulomb_brittle\"",
-                    parameter, fracture_energy, least)};
+        .severity = least / fracture_energy,
+        .parameter = parameter,
+        .text = fmt::format("'{}' is {:.4g} J/m2, but a contact needs at least {:.4g} J/m2, or it snaps "
+                            "back: raise it, take smaller particles or law = \"mohr_coulomb_brittle\"",
+                            parameter, fracture_energy, least)};
   }
 
  private:

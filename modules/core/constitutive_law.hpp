@@ -80,7 +80,8 @@ struct ContactSample {
 /// Why a law cannot serve a contact.
 struct LawComplaint {
   double severity = 0.0;  ///< the larger, the worse: a case is told of the worst contact only
-  std::string text;       ///< what is wrong with which parameter, and what would do
+  std::string parameter;  ///< the one to blame
+  std::string text;       ///< what is wrong with it, and what would do
 };
 
 /// Turns openings and slips into forces. It knows no geometry and keeps no numbers: parameters live here, history in

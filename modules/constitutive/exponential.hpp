@@ -1,8 +1,17 @@
 #pragma once
 
-#include <cmath>
+#include <array>
+#include <cstddef>
 
 namespace ligament {
+
+/// 1/k! for k = 0 to 13.
+inline constexpr std::array<double, 14> inverse_factorials = [] {
+  std::array<double, 14> values{1.0};
+  double factorial = 1.0;
+  for (std::size_t k = 1; k < values.size(); ++k) values[k] = 1.0 / (factorial *= static_cast<double>(k));
+  return values;
+}();
 
 /// e^x for |x| < 700. Only + - × ÷ are used: the exponential functions of C libraries differ between processors, and
 /// runs must not.
@@ -14,8 +23,8 @@ inline double exponential(double x) {
   int doublings = static_cast<int>(x * inverse_ln2 + (x < 0.0 ? -0.5 : 0.5));
   const double rest = (x - doublings * ln2_high) - doublings * ln2_low;
   // Taylor series, |rest| < 0.35: the first term left out is below 1e-17 of the sum.
-  double result = 1.0;
-  for (int k = 13; k > 0; --k) result = 1.0 + result * rest / k;
+  double result = 0.0;
+  for (std::size_t k = inverse_factorials.size(); k-- > 0;) result = result * rest + inverse_factorials[k];
   for (; doublings > 0; --doublings) result *= 2.0;
   for (; doublings < 0; ++doublings) result *= 0.5;
   return result;

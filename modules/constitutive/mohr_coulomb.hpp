@@ -1,7 +1,7 @@
 #pragma once
 
+#include "constitutive/coupled_modes.hpp"
 #include "constitutive/mohr_coulomb_strength.hpp"
-#include "constitutive/softening_mode.hpp"
 
 namespace ligament {
 
@@ -85,15 +85,7 @@ struct MohrCoulomb : MohrCoulombStrength {
   [[nodiscard]] SofteningMode<Curve> tension() const { return {curve, tensile_strength, fracture_energy_tension}; }
   [[nodiscard]] SofteningMode<Curve> shear() const { return {curve, cohesion, fracture_energy_shear}; }
 
-  /// The damage of one mode, and the inelastic displacement behind it (m).
-  struct ModeDamage {
-    double w = 0.0;
-    double damage = 0.0;
-  };
-  struct BondDamage {
-    ModeDamage tension;
-    ModeDamage shear;
-  };
+  [[nodiscard]] CoupledModes<Curve> modes() const { return {tension(), shear(), coupling}; }
 
   void soften(const ContactInput& input, ShearVector trial, ContactForce& force, History& history) const {
     const BondDamage before{{history[opening_inelastic], history[damage_tension]},
@@ -102,11 +94,12 @@ struct MohrCoulomb : MohrCoulombStrength {
     const double friction = friction_coefficient * pressure;
     const double trial_size = std::abs(trial);
     const double slip_reach = before.shear.w + (trial_size - friction) / input.shear_stiffness;
-    const BondDamage now = grown(before, input, slip_reach);
+    const BondDamage now = modes().grown(before, {input.opening, input.area / input.normal_stiffness},
+                                         {slip_reach, input.area / input.shear_stiffness});
 
-    const double limit = cohesion * input.area * left(now.shear, now.tension) + friction;
-    const double pull = input.opening > 0.0 ? tension_force(input, now) : 0.0;
+    const double limit = modes().shear_limit(now) * input.area + friction;
     const double slip = std::max(0.0, trial_size - limit) / input.shear_stiffness;
+    const double pull = tension_force(input, now);
     history[friction_work] += 0.5 * friction_coefficient * (std::max(0.0, force.normal) + pressure) * slip;
     if (now.tension.w != before.tension.w || now.shear.w != before.shear.w) {
       book_coupling(input, -force.normal, pull, before, now, history);
@@ -120,38 +113,10 @@ struct MohrCoulomb : MohrCoulombStrength {
     force.bond = is_broken(coupling, now.tension.damage, now.shear.damage) ? BondState::broken : BondState::softening;
   }
 
-  [[nodiscard]] double left(const ModeDamage& own, const ModeDamage& other) const {
-    return strength_left(coupling, own.damage, other.damage);
-  }
-  [[nodiscard]] double lost(const ModeDamage& own, const ModeDamage& other) const {
-    return strength_lost_to(coupling, own.damage, other.damage);
-  }
-
-  /// Damage of both modes at the end of the step. Where both grow they feed each other; the rounds go up to the least
-  /// damage that carries the step, or to the break.
-  [[nodiscard]] BondDamage grown(BondDamage bond, const ContactInput& input, double slip_reach) const {
-    constexpr int most_rounds = 100;
-    constexpr double rounding = 1e-15;
-    for (int round = 0; round < most_rounds; ++round) {
-      const double shear_damage = bond.shear.damage;
-      grow(tension(), input.opening, input.area / input.normal_stiffness, bond.tension, bond.shear);
-      grow(shear(), slip_reach, input.area / input.shear_stiffness, bond.shear, bond.tension);
-      if (bond.shear.damage <= shear_damage + rounding) break;
-    }
-    return bond;
-  }
-
-  void grow(const SofteningMode<Curve>& mode, double reach, double flexibility, ModeDamage& own,
-            const ModeDamage& other) const {
-    if (reach <= own.w + left(own, other) * mode.strength * flexibility) return;
-    own.w = std::max(own.w, mode.inelastic(reach, flexibility, coupling, other.damage));
-    own.damage = std::max(own.damage, mode.damage(own.w));
-  }
-
-  /// Tension at an opening > 0 (N).
+  /// Tension (N), none in compression.
   [[nodiscard]] double tension_force(const ContactInput& input, const BondDamage& bond) const {
-    const double limit = tensile_strength * input.area * left(bond.tension, bond.shear);
-    if (limit <= 0.0) return 0.0;
+    const double limit = modes().tension_limit(bond) * input.area;
+    if (input.opening <= 0.0 || limit <= 0.0) return 0.0;
     const double plastic = input.normal_stiffness * bond.tension.w;
     const double elastic = input.normal_stiffness * input.opening;
     return std::min(limit, unloading == Unloading::secant ? elastic * (limit / (limit + plastic))
@@ -161,35 +126,28 @@ struct MohrCoulomb : MohrCoulombStrength {
   /// What the closed forms, which know one mode each, miss in a step in which the other mode has damage.
   void book_coupling(const ContactInput& input, double pull_before, double pull, const BondDamage& before,
                      const BondDamage& now, History& history) const {
-    history[coupling_tension] -=
-        input.area * work_lost(tension(), before.tension, now.tension, before.shear, now.shear);
-    history[coupling_shear] -= input.area * work_lost(shear(), before.shear, now.shear, before.tension, now.tension);
+    history[coupling_tension] -= input.area * modes().tension_work_lost(before, now);
+    history[coupling_shear] -= input.area * modes().shear_work_lost(before, now);
     if (unloading == Unloading::elastic) return;
 
-    // The triangle below the secant shrinks with the strength: by growth of w, or at a fixed w through shear.
-    const double lost_before = lost(before.tension, before.shear);
-    const double lost_now = lost(now.tension, now.shear);
-    if (lost_now == 0.0) return;
+    // The triangle below the secant, ½ (limit) w, shrinks with the limit: by growth of w, or at a fixed w through
+    // shear.
+    const double lost_before = modes().tension_lost(before.tension.damage, before.shear.damage);
+    const double lost_now = modes().tension_lost(now.tension.damage, now.shear.damage);
+    const double lost_but_for_shear = modes().tension_lost(now.tension.damage, before.shear.damage);
     const double share = now.tension.w > before.tension.w
                              ? 1.0
                              : 0.5 * (loading_squared(input, before, pull_before) + loading_squared(input, now, pull));
-    const double half_strength = 0.5 * tensile_strength * input.area * share;
-    const double all = half_strength * (now.tension.w * lost_now - before.tension.w * lost_before);
-    const double by_shear =
-        half_strength * 0.5 * (before.tension.w + now.tension.w) * (lost_now - lost(now.tension, before.shear));
+    const double half_area = 0.5 * input.area * share;
+    const double all = half_area * (now.tension.w * lost_now - before.tension.w * lost_before);
+    const double by_shear = half_area * 0.5 * (before.tension.w + now.tension.w) * (lost_now - lost_but_for_shear);
     history[coupling_tension] += all - by_shear;
     history[coupling_shear] += by_shear;
   }
 
-  [[nodiscard]] double work_lost(const SofteningMode<Curve>& mode, const ModeDamage& before, const ModeDamage& now,
-                                 const ModeDamage& other_before, const ModeDamage& other_now) const {
-    if (now.w == before.w || other_now.damage == 0.0) return 0.0;
-    return mode.work_lost(before.w, now.w, coupling, 0.5 * (other_before.damage + other_now.damage));
-  }
-
   /// (T/T_limit)²: how much of the energy that a bond stores at its limit it stores.
   [[nodiscard]] double loading_squared(const ContactInput& input, const BondDamage& bond, double pull) const {
-    const double limit = tensile_strength * input.area * left(bond.tension, bond.shear);
+    const double limit = modes().tension_limit(bond) * input.area;
     const double ratio = limit > 0.0 ? std::clamp(pull / limit, 0.0, 1.0) : 0.0;
     return ratio * ratio;
   }

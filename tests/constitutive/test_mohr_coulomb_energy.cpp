@@ -133,6 +133,45 @@ TEST_CASE_TEMPLATE("what is stored and spent is the work of the forces, to order
   }
 }
 
+TEST_CASE_TEMPLATE("sheared in part, then pulled apart: the ledger closes to order 2 through the break", Law,
+                   SOFTENING_LAWS) {
+  // Mean over paths whose kinks fall differently into the steps.
+  const auto defect = [](const Law& law, int n_steps) {
+    double sum = 0.0;
+    for (int k = 0; k < 20; ++k) {
+      DrivenBond<Law> bond(law);
+      bond.slip_by((1.0 + 0.02 * k) * 3e-5, n_steps);
+      bond.pull_to((1.0 + 0.02 * k) * 4e-5, n_steps);
+      CHECK((bond.force.bond == BondState::broken) == (law.coupling != DamageCoupling::none));
+      sum += std::abs(bond.defect());
+    }
+    return sum / 20.0;
+  };
+  for (const Law& law : variants<Law>()) {
+    CHECK(defect(law, 4000) < 1e-4 * tension_energy);
+    CHECK(defect(law, 4000) < 0.02 * defect(law, 400));
+  }
+}
+
+TEST_CASE_TEMPLATE("what tension has stored and shear damage sets free counts as fracture in shear", Law,
+                   SOFTENING_LAWS) {
+  DrivenBond<Law> bond(concrete<Law>());
+  bond.pull_to(3e-6, 10);
+  bond.pull_to(1e-6, 10);
+  const double before = bond.energies().fracture_tension;
+  const double stored = bond.energies().elastic_normal;
+  const double tension_damage = bond.history[Law::damage_tension];
+  bond.slip_by(2e-5, 4000);
+  CHECK(bond.energies().fracture_tension == doctest::Approx(before).epsilon(1e-12));
+  const double set_free = stored - bond.energies().elastic_normal;
+  CHECK(set_free > 0.2 * stored);
+  // The rest is A ∫C (s - D_t) dw.
+  const double w = bond.history[Law::slip_inelastic];
+  const double x = w * 6.5e6 / 500.0;
+  const double slipped = 1e-4 * (500.0 * bond.law.curve.area(x) - 6.5e6 * tension_damage * w);
+  CHECK(bond.energies().fracture_shear - slipped == doctest::Approx(set_free).epsilon(1e-4));
+}
+
 TEST_CASE("the bilinear bond does what a twin with tiny substeps does") {
   RandomNumbers random(43);
   double shear_error = 0.0;

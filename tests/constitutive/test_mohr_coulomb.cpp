@@ -214,6 +214,35 @@ TEST_CASE_TEMPLATE("damage of one mode weakens the other as the coupling says", 
   CHECK(strength.first == doctest::Approx(1.001 * strength.second).epsilon(1e-12));
 }
 
+TEST_CASE_TEMPLATE("pulled and sheared in one step, both limits and both inelastic displacements fit together", Law,
+                   SOFTENING_LAWS) {
+  for (const auto coupling : {DamageCoupling::sum, DamageCoupling::largest, DamageCoupling::none}) {
+    auto law = concrete<Law>();
+    law.coupling = coupling;
+    DrivenBond<Law> bond(law);
+    bond.step(2e-6, 2e-5);
+    CHECK(bond.force.bond == BondState::softening);
+    const double d_t = bond.history[Law::damage_tension];
+    const double d_s = bond.history[Law::damage_shear];
+    CHECK(d_t > 0.2);
+    CHECK(d_s > 0.1);
+    const double tension = 1.8e6 * bond.area * strength_left(coupling, d_t, d_s);
+    const double shear = 6.5e6 * bond.area * strength_left(coupling, d_s, d_t);
+    CHECK(-bond.force.normal == doctest::Approx(tension).epsilon(1e-12));
+    CHECK(-bond.force.shear == doctest::Approx(shear).epsilon(1e-12));
+    CHECK(bond.history[Law::opening_inelastic] + tension / bond.k_n == doctest::Approx(2e-6).epsilon(1e-12));
+    CHECK(bond.history[Law::slip_inelastic] + shear / bond.k_s == doctest::Approx(2e-5).epsilon(1e-12));
+  }
+}
+
+TEST_CASE_TEMPLATE("a bond breaks where the damages add up to 1, however far the step goes", Law, SOFTENING_LAWS) {
+  DrivenBond<Law> bond(concrete<Law>());
+  bond.slip_by(0.05 * far_slip, 10);
+  bond.step(100.0 * far_open, 100.0 * far_slip);
+  CHECK(bond.force.bond == BondState::broken);
+  CHECK(bond.history[Law::damage_tension] + bond.history[Law::damage_shear] == doctest::Approx(1.0).epsilon(1e-14));
+}
+
 TEST_CASE_TEMPLATE("the break belongs to the mode that has the larger damage", Law, SOFTENING_LAWS) {
   DrivenBond<Law> bond(concrete<Law>());
   bond.slip_by(0.03 * far_slip, 20);

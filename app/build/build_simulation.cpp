@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "build/build_gauges.hpp"
+#include "build/check_contacts.hpp"
 #include "build/unsupported_bodies.hpp"
 #include "contact/contact_forces.hpp"
 #include "contact/grid_contact_detector.hpp"
@@ -37,7 +38,6 @@ void check_supports(Case& input, const Simulation& simulation) {
   for (const std::string& body : find_unsupported_bodies(simulation.model(), simulation.state())) {
     input.file.add_error({}, body);
   }
-  input.file.throw_collected_errors();
 }
 
 }  // namespace
@@ -65,7 +65,9 @@ BuiltSimulation build_simulation(Case& input) {
       .warnings = std::move(conditions.warnings),
   };
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
+  check_contacts(input, result.simulation.model(), result.simulation.state());
   check_supports(input, result.simulation);
+  input.file.throw_collected_errors();
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include "case/case.hpp"
 #include "commands/commands.hpp"
+#include "commands/law_curves.hpp"
 #include "constitutive/register_laws.hpp"
 
 namespace ligament {
@@ -15,10 +16,42 @@ ExitCode list_laws() {
   return ExitCode::done;
 }
 
+struct LawsOptions {
+  std::string law;
+  std::string case_path;
+  CurveContact contact;
+};
+
+void add_laws_command(CLI::App& app, Action& action) {
+  auto options = std::make_shared<LawsOptions>();
+  CLI::App* command = app.add_subcommand("laws", "the contact laws there are, or the curves of one");
+  auto* case_option = command->add_option("case", options->case_path, "case file (TOML)")->type_name("FILE");
+  auto* curve = command->add_option("--curve", options->law, "force over opening and over slip, as CSV, of a bond")
+                    ->type_name("LAW")
+                    ->needs(case_option);
+  case_option->needs(curve);
+  command->add_option("--height", options->contact.height, "height H of the contact (m)")
+      ->check(CLI::PositiveNumber)
+      ->needs(curve)
+      ->capture_default_str();
+  command->add_option("--length", options->contact.length, "length L of the contact (m)")
+      ->check(CLI::PositiveNumber)
+      ->needs(curve)
+      ->capture_default_str();
+  command->callback([options, &action] {
+    action = [options] {
+      if (options->law.empty()) return list_laws();
+      Case input = read_case(options->case_path, {});
+      fmt::print("{}", law_curves(input, options->law, options->contact));
+      return ExitCode::done;
+    };
+  });
+}
+
 }  // namespace
 
 void add_documentation_commands(CLI::App& app, Action& action) {
-  app.add_subcommand("laws", "the contact laws there are")->callback([&action] { action = list_laws; });
+  add_laws_command(app, action);
 
   auto key = std::make_shared<std::string>();
   CLI::App* explain_command = app.add_subcommand("explain", "what a key of the case file means");

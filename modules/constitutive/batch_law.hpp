@@ -27,6 +27,11 @@ class BatchLaw final : public ConstitutiveLaw {
     return std::make_unique<BatchLaw<Frictional>>(Frictional{law_.friction_coefficient});
   }
 
+  [[nodiscard]] std::optional<LawComplaint> complaint(const ContactSample& contact) const override {
+    if constexpr (requires { law_.complaint(contact); }) return law_.complaint(contact);
+    return {};
+  }
+
   void evaluate(const ContactBatch& batch) const override {
     std::array<double, Law::n_history> history;
     for (std::size_t i = 0; i < batch.opening.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,6 +70,20 @@ struct ContactEnergies {
   [[nodiscard]] double spent() const { return fracture_tension + fracture_shear + friction; }
 };
 
+/// The springs and the area of one contact, without its state.
+struct ContactSample {
+  double normal_stiffness = 0.0;  ///< k_n (N/m)
+  double shear_stiffness = 0.0;   ///< k_s (N/m)
+  double area = 0.0;              ///< A (m2)
+};
+
+/// Why a law cannot serve a contact.
+struct LawComplaint {
+  double severity = 0.0;  ///< the larger, the worse: a case is told of the worst contact only
+  std::string parameter;  ///< the one to blame
+  std::string text;       ///< what is wrong with it, and what would do
+};
+
 /// Turns openings and slips into forces. It knows no geometry and keeps no numbers: parameters live here, history in
 /// State. One virtual call serves a block of contacts.
 class ConstitutiveLaw {
@@ -82,6 +97,9 @@ class ConstitutiveLaw {
 
   /// The law of contacts without cohesion between the same bodies: those that form after set-up.
   [[nodiscard]] virtual std::unique_ptr<ConstitutiveLaw> contact_law() const = 0;
+
+  /// What the law has against a contact made at set-up; by default nothing.
+  [[nodiscard]] virtual std::optional<LawComplaint> complaint(const ContactSample& /*contact*/) const { return {}; }
 
   /// Forces at the end of the step, Eqs (19)-(24), history with them.
   virtual void evaluate(const ContactBatch& batch) const = 0;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "program.hpp"
 #include "version.hpp"
@@ -83,6 +84,48 @@ TEST_CASE("laws") {
   CHECK(finished.code == 0);
   CHECK(contains(finished.out, "linear_elastic "));
   CHECK(contains(finished.out, "frictional "));
+}
+
+TEST_CASE("laws --curve draws the law of a material of a case") {
+  const Workplace place;
+  place.write("case.toml",
+              "[problem]\nthickness = \"0.1 m\"\n[material.rock]\nlaw = \"mohr_coulomb_bilinear\"\n"
+              "young_modulus = \"21.9 GPa\"\npoisson_ratio = 0.25\ntensile_strength = \"1.8 MPa\"\n"
+              "cohesion = \"6.5 MPa\"\nfriction_coefficient = 0.2\nfracture_energy_tension = \"10 N/m\"\n"
+              "fracture_energy_shear = \"500 N/m\"\n[solver]\nmax_steps = 1\n");
+  const Finished finished = place.run({"laws", "--curve", "mohr_coulomb_bilinear", "case.toml"});
+  CHECK(finished.code == 0);
+  std::istringstream lines(finished.out);
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line == "curve,displacement_m,force_N");
+  // Peaks below σ_t A and C A with A = 1 mm x 0.1 m, and the areas G_ft A and G_fc A, to what 200 steps can do.
+  double peak[2] = {0.0, 0.0};
+  double area[2] = {0.0, 0.0};
+  double displacement_before = 0.0;
+  double force_before = 0.0;
+  while (std::getline(lines, line)) {
+    const auto comma = line.find(',');
+    const std::size_t curve = line.substr(0, comma) == "tension" ? 0 : 1;
+    const double displacement = std::stod(line.substr(comma + 1));
+    const double force = std::stod(line.substr(line.rfind(',') + 1));
+    if (displacement > 0.0) area[curve] += 0.5 * (force + force_before) * (displacement - displacement_before);
+    peak[curve] = std::max(peak[curve], force);
+    displacement_before = displacement;
+    force_before = force;
+  }
+  CHECK(peak[0] == doctest::Approx(180.0).epsilon(0.02));
+  CHECK(peak[1] == doctest::Approx(650.0).epsilon(0.02));
+  CHECK(area[0] == doctest::Approx(1e-3).epsilon(0.01));
+  CHECK(area[1] == doctest::Approx(0.05).epsilon(0.01));
+  CHECK(force_before == 0.0);
+
+  const Finished other = place.run({"laws", "--curve", "frictional", "case.toml"});
+  CHECK(other.code == 2);
+  CHECK(other.err == "no material of the case has law = \"frictional\"\n");
+  const Finished long_one = place.run({"laws", "--curve", "mohr_coulomb_bilinear", "case.toml", "--length", "0.1"});
+  CHECK(long_one.code == 2);
+  CHECK(contains(long_one.err, "L = 0.1 m: 'fracture_energy_tension' is 10 J/m2, but a contact needs at least 13.87"));
 }
 
 TEST_CASE("info of files of a run, and of what is none") {

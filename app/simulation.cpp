@@ -56,11 +56,22 @@ Simulation::Simulation(Model model, Modules modules, TimeStepChoice time_step)
     : model_(std::move(model)), modules_(std::move(modules)), choice_(time_step) {
   prepare_state();
   choose_time_step();
+  if (is_quasi_static()) {
+    modules_.loading->use_stiffness(model_, state_, stiffness());
+    add_forces();
+    return;
+  }
   if (modules_.integrator->needs_stiffness()) modules_.integrator->use_stiffness(model_, state_, stiffness());
   add_forces();
   modules_.integrator->update_velocities(model_, state_);
   for (auto& constraint : modules_.constraints) constraint->apply(model_, state_);
   book_work();
+}
+
+bool Simulation::advance() {
+  if (is_quasi_static()) return increment();
+  step();
+  return true;
 }
 
 void Simulation::step() {
@@ -71,6 +82,14 @@ void Simulation::step() {
   modules_.integrator->update_velocities(model_, state_);                    // law of motion, Eqs (1)-(2): v(n+½)
   for (auto& constraint : modules_.constraints) constraint->apply(model_, state_);
   book_work();
+}
+
+bool Simulation::increment() {
+  modules_.contact_detector->update(model_, state_);  // update set of contacts
+  return modules_.loading->advance(model_, state_,
+                                   {.add_forces = [this] { add_forces(); },
+                                    .add_applied_loads = [this] { add_applied_loads(); },
+                                    .internal = [this] { return internal_forces(); }});
 }
 
 void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {
@@ -93,17 +112,20 @@ double Simulation::audit() {
 }
 
 std::vector<EnergyTerm> Simulation::energies() const {
-  std::vector<EnergyTerm> lines = modules_.integrator->energies(model_, state_);
+  std::vector<EnergyTerm> lines =
+      is_quasi_static() ? modules_.loading->energies(model_, state_) : modules_.integrator->energies(model_, state_);
   for (const auto& provider : modules_.force_providers) merge(lines, provider->energies(model_, state_));
   merge(lines, modules_.contact_detector->energies(model_, state_));
   for (const auto& constraint : modules_.constraints) merge(lines, constraint->energies(model_, state_));
   return lines;
 }
 
-Unbalance Simulation::unbalance() const {
+Unbalance Simulation::unbalance() const { return measure_unbalance(model_, state_, internal_forces()); }
+
+ForceMagnitudes Simulation::internal_forces() const {
   ForceMagnitudes magnitudes;
   for (const auto& provider : modules_.force_providers) magnitudes += provider->internal_forces(model_, state_);
-  return measure_unbalance(model_, state_, magnitudes);
+  return magnitudes;
 }
 
 StiffnessBounds Simulation::stiffness_bounds() const {
@@ -163,6 +185,13 @@ void Simulation::check_time_step() {
 void Simulation::add_forces() {
   clear_forces(state_);
   for (auto& provider : modules_.force_providers) provider->add_forces(model_, state_);
+}
+
+void Simulation::add_applied_loads() {
+  clear_forces(state_);
+  for (auto& provider : modules_.force_providers) {
+    if (provider->is_applied_load()) provider->add_forces(model_, state_);
+  }
 }
 
 void Simulation::book_work() {

@@ -6,6 +6,7 @@
 #include "core/contact_detector.hpp"
 #include "core/integrator.hpp"
 #include "integrator/convergence.hpp"
+#include "integrator/incremental_loading.hpp"
 
 namespace ligament {
 
@@ -22,7 +23,9 @@ struct TimeStepChoice {
 
 /// What a simulation is made of; build_simulation fills it.
 struct Modules {
+  /// How it moves: by steps of an integrator, or by increments of loading that are relaxed to equilibrium.
   std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<IncrementalLoading> loading;
   std::unique_ptr<ContactDetector> contact_detector;
   std::vector<std::unique_ptr<ForceProvider>> force_providers;
   std::vector<std::unique_ptr<Constraint>> constraints;
@@ -34,7 +37,9 @@ class Simulation {
   /// Bonds the contacts, sets masses and time step, and brings the state at rest to step 0.
   Simulation(Model model, Modules modules, TimeStepChoice time_step);
 
-  /// From n to n+1: the paper's cycle (Fig. 1).
+  /// From n to n+1: a step, or an increment of loading. False if the increment finds no equilibrium; n then stays.
+  bool advance();
+  /// The paper's cycle (Fig. 1).
   void step();
 
   /// Makes room for the readings of gauges at the ends of so many stages of loading.
@@ -57,13 +62,18 @@ class Simulation {
   [[nodiscard]] const State& state() const { return state_; }
   /// Replaces the state by one read from a checkpoint of the same case.
   void restore(State state) { state_ = std::move(state); }
+  /// Whether every state is one of equilibrium.
+  [[nodiscard]] bool is_quasi_static() const { return modules_.loading != nullptr; }
   [[nodiscard]] const std::string& limiting_body() const { return limiting_body_; }
 
  private:
+  bool increment();
   void prepare_state();
   void choose_time_step();
   void check_time_step();
   void add_forces();
+  void add_applied_loads();
+  [[nodiscard]] ForceMagnitudes internal_forces() const;
   void book_work();
 
   Model model_;

@@ -50,6 +50,10 @@ BuiltSimulation build_simulation(Case& input) {
 
   Modules modules;
   modules.integrator = std::move(input.solver.integrator);
+  modules.loading = std::move(input.solver.loading);
+  if (modules.loading) {
+    modules.loading->set_loading(conditions.freedoms, conditions.end_of_loading, *input.solver.unbalanced_force_ratio);
+  }
   modules.contact_detector = std::make_unique<GridContactDetector>(skin_of(input, built.model));
   modules.force_providers = force_providers(input, std::move(conditions.loads));
   modules.constraints.push_back(std::move(motion));

@@ -170,13 +170,18 @@ struct PropertiesTable {
   void declare(Parameters& parameters);
 };
 
+/// The solver method that loads in increments.
+inline constexpr const char* quasi_static_method = "quasi_static";
+
 struct SolverTable {
   TimeStepChoice time_step;
   std::optional<double> unbalanced_force_ratio;
   std::int64_t max_steps = 0;
   std::int64_t check_every = 10;
   std::string method;
+  /// One of the two, by the method.
   std::unique_ptr<Integrator> integrator;
+  std::unique_ptr<IncrementalLoading> loading;
 
   void declare(Parameters& parameters);
 };

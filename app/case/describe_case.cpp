@@ -67,6 +67,11 @@ std::vector<TableDescription> describe_case() {
     if (table.path == "zone") add_variants(table, "generator", all_generators(std::make_shared<InputFiles>(""), ""));
     if (table.path == "solver") {
       add_variants(table, "method", solver_methods());
+      Variant increments{quasi_static_method,
+                         "loading in increments, each relaxed to equilibrium: every row is one of equilibrium",
+                         {}};
+      IncrementalLoading().declare(increments.parameters);
+      table.variants.push_back(std::move(increments));
       table.default_variant = "dynamic_relaxation";
     }
   }

@@ -11,6 +11,8 @@ namespace {
 constexpr const char* default_method = "dynamic_relaxation";
 /// Converged to what elastic cases need, unless the case says otherwise.
 constexpr double default_force_ratio = 1e-6;
+/// What keeps peak and work of fracture runs within a percent.
+constexpr double default_force_ratio_of_increments = 5e-3;
 
 template <class Table>
 void read_single(CaseFile& file, const std::string& name, Table& table) {
@@ -75,9 +77,22 @@ std::vector<Read<ZoneTable>> read_zones(CaseFile& file, const std::shared_ptr<In
   return zones;
 }
 
+/// Increments of loading are no integrator: they are read here.
+void read_quasi_static(CaseFile& file, const TableView& view, SolverTable& solver) {
+  solver.unbalanced_force_ratio = default_force_ratio_of_increments;
+  solver.loading = std::make_unique<IncrementalLoading>();
+  Parameters parameters;
+  solver.declare(parameters);
+  solver.loading->declare(parameters);
+  file.read(view, parameters);
+}
+
 void read_solver(CaseFile& file, SolverTable& solver) {
   const TableView view = file.table("solver");
-  solver.method = file.peek(view, "method", solver_methods().names(), default_method).value_or(default_method);
+  std::vector<std::string> methods = solver_methods().names();
+  methods.emplace_back(quasi_static_method);
+  solver.method = file.peek(view, "method", methods, default_method).value_or(default_method);
+  if (solver.method == quasi_static_method) return read_quasi_static(file, view, solver);
   if (solver.method == default_method) solver.unbalanced_force_ratio = default_force_ratio;
   read_with_choice(file, view, solver, solver_methods(), "method", solver.integrator, default_method);
 }

@@ -53,7 +53,8 @@ Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& di
       console_(console),
       checkpoints_(directory, input),
       table_(input, built.gauges, console) {
-  if (audits_every_step(input)) step_audit_.emplace(built.simulation);
+  // The audits of every step are those of stepping.
+  if (audits_every_step(input) && !built.simulation.is_quasi_static()) step_audit_.emplace(built.simulation);
 }
 
 ExitCode Runner::start() {
@@ -105,7 +106,11 @@ ExitCode Runner::go_on() {
   std::optional<Ending> ending = find_ending();
   try {
     while (!ending) {
-      built_.simulation.step();
+      if (!built_.simulation.advance()) {
+        ending = Ending::not_converged;
+        handle_boundary(ending);
+        break;
+      }
       if (step_audit_) step_audit_->observe(built_.simulation);
       ending = find_ending();
       handle_boundary(ending);
@@ -129,7 +134,10 @@ bool Runner::is_last_stage() const {
 bool Runner::is_stage_complete() {
   const State& state = built_.simulation.state();
   // What is in equilibrium while it is still being loaded has not come to its end.
-  const bool is_loaded = state.clock.time - state.stage.begin_time >= built_.end_of_loading[state.stage.number - 1];
+  const double end = built_.end_of_loading[state.stage.number - 1];
+  // Increments end at it up to rounding.
+  const bool is_loaded = state.clock.time - state.stage.begin_time >= (1.0 - 1e-12) * end;
+  if (built_.simulation.is_quasi_static()) return is_loaded;
   const bool has_moved = state.stage.number == 1 || step() > state.stage.begin_step;
   if (!can_converge() || !is_loaded || !has_moved || !is_due(input_.solver.check_every)) return false;
   const Unbalance unbalance = built_.simulation.unbalance();

@@ -106,6 +106,16 @@ void visit_fields(Table& table, Visitor&& visit) {
   visit("readings", readings, FieldRole::sampled);
 }
 
+template <TableOf<LoadingState> Table, class Visitor>
+void visit_fields(Table& table, Visitor&& visit) {
+  auto& [step, direction_step, direction, peak_force, n_evaluations] = table;
+  visit("step", step, FieldRole::physics);
+  visit("direction_step", direction_step, FieldRole::physics);
+  visit("direction", direction, FieldRole::physics);
+  visit("peak_force", peak_force, FieldRole::physics);
+  visit("n_evaluations", n_evaluations, FieldRole::physics);
+}
+
 template <TableOf<RelaxationState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
   auto& [damping, particle_force, particle_moment, node_force, momentum, force] = table;
@@ -131,7 +141,7 @@ void visit_fields(Table& table, Visitor&& visit) {
 template <TableOf<State> Table, class Visitor>
 void visit_fields(Table& state, Visitor&& visit) {
   auto& [clock, particles, nodes, particle_contacts, facet_contacts, corner_contacts, search, stage, relaxation,
-         ledger] = state;
+         loading, ledger] = state;
   const auto visit_table = [&visit](const std::string& name, auto& table) {
     visit_fields(table, [&](const std::string& field_name, auto& field, FieldRole role) {
       visit(name + "." + field_name, field, role);
@@ -146,6 +156,7 @@ void visit_fields(Table& state, Visitor&& visit) {
   visit_table("search", search);
   visit_table("stage", stage);
   visit_table("relaxation", relaxation);
+  visit_table("loading", loading);
   visit_table("ledger", ledger);
 }
 

@@ -40,6 +40,9 @@ class ForceProvider : public EnergySource {
   /// Adds the forces of time n, Eqs (3)-(28), to State::…::force; history moves from n-1 to n.
   virtual void add_forces(const Model& model, State& state) = 0;
 
+  /// Whether these are loads that the case applies, whose work is a sum over the path.
+  [[nodiscard]] virtual bool is_applied_load() const { return false; }
+
   /// Adds its rows to the Gershgorin bound; forces without stiffness add nothing.
   virtual void add_stiffness(const Model& /*model*/, const State& /*state*/, StiffnessBounds& /*bounds*/) const {}
 

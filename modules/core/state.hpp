@@ -105,6 +105,15 @@ struct StageState {
   Field<double> readings;       ///< of all gauges at the ends of the stages before, stage by stage
 };
 
+/// What quasi-static loading in increments remembers.
+struct LoadingState {
+  double step = 0.0;               ///< pseudo-time of the last increment (s); 0 before the first
+  double direction_step = 0.0;     ///< that of the increment whose motion is extrapolated (s)
+  Field<double> direction;         ///< that motion, all freedoms in one column
+  double peak_force = 0.0;         ///< largest external force so far (N)
+  std::int64_t n_evaluations = 0;  ///< of the forces, in all increments so far
+};
+
 /// What adaptive damping remembers: the internal forces of the step before.
 struct RelaxationState {
   double damping = 0.0;  ///< c of the step (1/s)
@@ -126,6 +135,7 @@ struct State {
   SearchState search;
   StageState stage;
   RelaxationState relaxation;
+  LoadingState loading;
   EnergyLedger ledger;
 };
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "integrator/ledger_lines.hpp"
+
 namespace ligament {
 namespace {
 
-constexpr const char* line = "applied_loads";
+using ledger_lines::applied_loads;
 
 /// Share of the load that acts at time n.
 double share_at(const PointLoad& load, const State& state) {
@@ -43,11 +45,11 @@ void AppliedLoads::book_work(const Model& /*model*/, State& state) {
     behind += 0.5 * share * load.moment * state.particles.rotation.increment[load.row];
     ahead += 0.5 * time_step * share * load.moment * state.particles.rotation.spin[load.row];
   }
-  state.ledger[state.ledger.open(line)].book(behind, ahead);
+  state.ledger[state.ledger.open(applied_loads)].book(behind, ahead);
 }
 
 std::vector<EnergyTerm> AppliedLoads::energies(const Model& /*model*/, const State& state) const {
-  return {{"applied_loads", EnergyKind::work, state.ledger.total(line)}};
+  return {{applied_loads, EnergyKind::work, state.ledger.total(applied_loads)}};
 }
 
 }  // namespace ligament

@@ -22,6 +22,7 @@ class AppliedLoads : public ForceProvider {
   explicit AppliedLoads(std::vector<PointLoad> loads) : loads_(std::move(loads)) {}
 
   void add_forces(const Model& model, State& state) override;
+  [[nodiscard]] bool is_applied_load() const override { return true; }
   [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
   void book_work(const Model& model, State& state) override;
 

@@ -2,22 +2,15 @@
 
 #include <algorithm>
 
+#include "integrator/ledger_lines.hpp"
+
 namespace ligament {
 namespace {
-
-constexpr const char* line = "prescribed_motions";
 
 double velocity_at(const StageVelocity& motion, double time) {
   if (motion.stop_time >= 0.0 && time >= motion.stop_time) return 0.0;
   const double share = motion.rise_time > 0.0 ? std::min(1.0, time / motion.rise_time) : 1.0;
   return share * motion.velocity;
-}
-
-double velocity_at(const PrescribedFreedom& freedom, const StageState& stage, double time) {
-  for (const StageVelocity& motion : freedom.motions) {
-    if (motion.stage == stage.number) return velocity_at(motion, time - stage.begin_time);
-  }
-  return 0.0;
 }
 
 /// What a freedom's equation of motion is made of.
@@ -49,6 +42,13 @@ FreedomState state_of(const PrescribedFreedom& freedom, const State& state) {
 
 }  // namespace
 
+double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double time) {
+  for (const StageVelocity& motion : freedom.motions) {
+    if (motion.stage == stage.number) return velocity_at(motion, time - stage.begin_time);
+  }
+  return 0.0;
+}
+
 void PrescribedMotion::fix(Model& model) const {
   for (const PrescribedFreedom& freedom : freedoms_) {
     if (freedom.axis == dimension) {
@@ -64,7 +64,7 @@ void PrescribedMotion::apply(const Model& /*model*/, State& state) {
   // The velocity of the step ahead belongs to its middle.
   const double time = state.clock.time + 0.5 * state.clock.time_step;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    const double velocity = velocity_at(freedom, state.stage, time);
+    const double velocity = prescribed_velocity(freedom, state.stage, time);
     if (freedom.axis == dimension) {
       state.particles.rotation.spin[freedom.row] = velocity;
     } else {
@@ -84,11 +84,11 @@ void PrescribedMotion::book_work(const Model& /*model*/, State& state) {
     behind += 0.5 * reaction * body.increment;
     ahead += 0.5 * reaction * body.velocity * state.clock.time_step;
   }
-  state.ledger[state.ledger.open(line)].book(behind, ahead);
+  state.ledger[state.ledger.open(ledger_lines::prescribed_motions)].book(behind, ahead);
 }
 
 std::vector<EnergyTerm> PrescribedMotion::energies(const Model& /*model*/, const State& state) const {
-  return {{"prescribed_motions", EnergyKind::work, state.ledger.total(line)}};
+  return {{ledger_lines::prescribed_motions, EnergyKind::work, state.ledger.total(ledger_lines::prescribed_motions)}};
 }
 
 Vector reaction(const TranslationState& bodies, const Field<Vector>& free, const Clock& clock, Index row) {

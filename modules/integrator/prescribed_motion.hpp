@@ -21,6 +21,9 @@ struct PrescribedFreedom {
   std::vector<StageVelocity> motions = {};
 };
 
+/// Its velocity at a time (m/s, rad/s).
+double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double time);
+
 /// Supports and prescribed motions.
 class PrescribedMotion : public Constraint {
  public:

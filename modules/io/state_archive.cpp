@@ -32,11 +32,12 @@ bool is_contact_field(const std::string& name) {
 }
 
 /// Memory of adaptive damping stays empty until it is used.
-bool may_be_empty(const std::string& name) { return name.rfind("relaxation.", 0) == 0; }
+bool may_be_empty(const std::string& name) { return name.rfind("relaxation.", 0) == 0 || name == "loading.direction"; }
 
 std::uint64_t wanted_length(const std::string& name, std::uint64_t built, const Model& model) {
   if (name == "relaxation.node_force") return model.nodes.size();
-  if (name == "relaxation.momentum" || name == "relaxation.force") return FreedomNumbers(model).count();
+  if (name == "relaxation.momentum" || name == "relaxation.force" || name == "loading.direction")
+    return FreedomNumbers(model).count();
   if (may_be_empty(name)) return model.particles.size();
   return built;
 }

@@ -1,0 +1,247 @@
+#include "integrator/incremental_loading.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/block_sum.hpp"
+#include "core/parameters.hpp"
+#include "integrator/convergence.hpp"
+#include "integrator/freedom_columns.hpp"
+#include "integrator/ledger_lines.hpp"
+
+namespace ligament {
+namespace {
+
+constexpr const char* released_line = "released";
+
+/// ½ (a + b)·motion over the freedoms whose weight is 1.
+double trapezoid(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& motion,
+                 const std::vector<double>& weight) {
+  return block_sum(motion.size(), [&](std::size_t i) { return 0.5 * weight[i] * (a[i] + b[i]) * motion[i]; });
+}
+
+Vector sum_of_free(const TranslationState& bodies, const Field<Vector>& free) {
+  return block_sum(bodies.force.size(), [&](std::size_t i) { return componentwise(free[i], bodies.force[i]); });
+}
+
+Index number_of(const FreedomNumbers& numbers, const PrescribedFreedom& freedom) {
+  if (freedom.axis == dimension) return numbers.rotation(freedom.row);
+  return freedom.body == PrescribedFreedom::Body::node ? numbers.node(freedom.row, freedom.axis)
+                                                       : numbers.particle(freedom.row, freedom.axis);
+}
+
+/// Most of what may be extrapolated: an increment that took more evaluations held a jump, which will not come again.
+constexpr std::int64_t most_evaluations_of_smooth_increment = 150;
+
+/// An increment that does not settle is tried again with this share of it.
+constexpr double cut = 0.3;
+
+}  // namespace
+
+void IncrementalLoading::declare(Parameters& parameters) {
+  parameters
+      .quantity("increment", increment_, "m", "displacement of the fastest [[motion]] from one equilibrium to the next")
+      .greater_than(0.0)
+      .required();
+  parameters.integer("load_steps", load_steps_, "increments of a stage in which loads rise and nothing is moved")
+      .at_least(1);
+  parameters
+      .number("force_mismatch", force_mismatch_,
+              "equilibrium: what external forces lack to balance, over the largest one so far, is at most this")
+      .greater_than(0.0);
+  parameters
+      .integer("settled_evaluations", settled_evaluations_,
+               "equilibrium: successive evaluations of the forces in which both hold")
+      .at_least(1);
+  parameters.integer("most_evaluations", most_evaluations_, "an increment that takes more is cut to a smaller one")
+      .at_least(10);
+  parameters
+      .number("smallest_share", smallest_share_,
+              "the run ends when an increment cut to less than this share of itself finds no equilibrium")
+      .greater_than(0.0)
+      .at_most(1.0);
+  parameters.number("smallest_damping", bounds_.smallest, "lower bound of c Δt of relaxation")
+      .at_least(0.0)
+      .less_than(2.0);
+  parameters.number("largest_damping", bounds_.largest, "upper bound of c Δt of relaxation")
+      .greater_than(0.0)
+      .less_than(2.0);
+  parameters
+      .quantity("coarse_cell", coarse_cell_, "m",
+                "size of the cells of the coarse motions; default half of the shorter side of the structure")
+      .greater_than(0.0);
+}
+
+void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends,
+                                     double unbalanced_ratio) {
+  freedoms_ = std::move(freedoms);
+  ends_ = std::move(ends);
+  unbalanced_ratio_ = unbalanced_ratio;
+}
+
+void IncrementalLoading::use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) {
+  mass_.emplace(model, state, stiffness, coarse_cell_);
+  free_ = free_mask(model);
+}
+
+bool IncrementalLoading::advance(const Model& model, State& state, const ForceEvaluation& evaluation) {
+  begin(model, state, evaluation);
+  const double wanted = wanted_step(state);
+  // After a cut the way back to the wanted increment is taken in strides.
+  double step = state.loading.step > 0.0 ? std::min(wanted, 2.0 * state.loading.step) : wanted;
+  for (;;) {
+    if (relax(model, state, evaluation, step)) {
+      accept(model, state, step);
+      return true;
+    }
+    restore(state);
+    step *= cut;
+    if (!(step > smallest_share_ * wanted)) return false;
+  }
+}
+
+void IncrementalLoading::begin(const Model& model, State& state, const ForceEvaluation& evaluation) {
+  state.particles.translation.increment.assign(model.particles.size(), Vector{});
+  state.particles.rotation.increment.assign(model.particles.size(), 0.0);
+  state.nodes.translation.increment.assign(model.nodes.size(), Vector{});
+  start_.time = state.clock.time;
+  start_.contacts.take(state);
+  start_.particles = state.particles;
+  start_.nodes = state.nodes;
+  start_.forces = all_forces(model, state);
+  start_.loads = applied_loads(model, state, evaluation);
+}
+
+void IncrementalLoading::restore(State& state) const {
+  state.clock.time = start_.time;
+  start_.contacts.put_back(state);
+  state.particles = start_.particles;
+  state.nodes = start_.nodes;
+}
+
+std::vector<double> IncrementalLoading::applied_loads(const Model& model, State& state,
+                                                      const ForceEvaluation& evaluation) {
+  const ParticleState particles = state.particles;
+  const NodeState nodes = state.nodes;
+  evaluation.add_applied_loads();
+  std::vector<double> loads = all_forces(model, state);
+  state.particles = particles;
+  state.nodes = nodes;
+  return loads;
+}
+
+double IncrementalLoading::wanted_step(const State& state) const {
+  const StageState& stage = state.stage;
+  const double end = ends_[stage.number - 1];
+  const double left = end - (state.clock.time - stage.begin_time);
+  double step = end / static_cast<double>(load_steps_);
+  double fastest = 0.0;
+  for (const PrescribedFreedom& freedom : freedoms_) {
+    fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, stage, state.clock.time + 1e-9 * left)));
+  }
+  if (fastest > 0.0) step = increment_ / fastest;
+  // A remainder that rounding leaves is no increment of its own.
+  return step > (1.0 - 1e-9) * left ? left : step;
+}
+
+bool IncrementalLoading::relax(const Model& model, State& state, const ForceEvaluation& evaluation, double step) {
+  const LoadingState& loading = state.loading;
+  work_ = {};
+  n_evaluations_ = 0;
+  state.clock.time = start_.time + step;
+  loads_ = applied_loads(model, state, evaluation);
+  forces_ = start_.forces;
+  const std::vector<double> loads_before = start_.loads;
+
+  std::vector<double> motion = prescribed_motion(model, state, step);
+  if (!loading.direction.empty()) {
+    const double scale = step / loading.direction_step;
+    for (std::size_t i = 0; i < motion.size(); ++i) motion[i] += scale * loading.direction[i];
+  }
+  move(model, state, evaluation, motion, loads_before);
+
+  std::vector<double> momenta(motion.size(), 0.0);
+  std::vector<double> free_before = free_forces(model, state);
+  std::vector<double> free_now = free_before;
+  // At rest the first half of the step has no time to act.
+  double damping = 2.0;
+  std::int64_t n_settled = 0;
+  while (n_settled < settled_evaluations_) {
+    if (n_evaluations_ >= most_evaluations_) return false;
+    update_momenta(momenta, free_now, damping);
+    motion = mass_->velocities(momenta);
+    move(model, state, evaluation, motion, loads_);
+    free_before = std::move(free_now);
+    free_now = free_forces(model, state);
+    damping = adaptive_damping(motion, momenta, free_now, free_before, bounds_);
+    n_settled = is_settled(model, state, evaluation) ? n_settled + 1 : 0;
+  }
+  return true;
+}
+
+void IncrementalLoading::move(const Model& model, State& state, const ForceEvaluation& evaluation,
+                              const std::vector<double>& motion, const std::vector<double>& loads_before) {
+  const std::vector<double> before = std::move(forces_);
+  move_bodies(motion, state);
+  start_.contacts.put_back(state);
+  evaluation.add_forces();
+  forces_ = all_forces(model, state);
+  ++n_evaluations_;
+  const std::vector<double> everywhere(motion.size(), 1.0);
+  work_.of_all += trapezoid(before, forces_, motion, everywhere);
+  work_.of_free += trapezoid(before, forces_, motion, free_);
+  work_.of_loads += trapezoid(loads_before, loads_, motion, free_);
+}
+
+std::vector<double> IncrementalLoading::prescribed_motion(const Model& model, const State& state, double step) const {
+  const FreedomNumbers numbers(model);
+  std::vector<double> motion(numbers.count(), 0.0);
+  const double middle = start_.time + 0.5 * step;
+  for (const PrescribedFreedom& freedom : freedoms_) {
+    motion[number_of(numbers, freedom)] = step * prescribed_velocity(freedom, state.stage, middle);
+  }
+  return motion;
+}
+
+bool IncrementalLoading::is_settled(const Model& model, const State& state, const ForceEvaluation& evaluation) {
+  // Internal forces balance each other, so that what free bodies lack is what external forces lack.
+  const Vector lacking = sum_of_free(state.particles.translation, model.particles.free) +
+                         sum_of_free(state.nodes.translation, model.nodes.free);
+  through_force_ = 0.5 * block_sum(forces_.size(), [&](std::size_t i) {
+                     return (1.0 - free_[i]) * std::abs(forces_[i] - loads_[i]) + std::abs(loads_[i]);
+                   });
+  const double peak = std::max(state.loading.peak_force, through_force_);
+  if (!(norm(lacking) <= force_mismatch_ * peak)) return false;
+  return measure_unbalance(model, state, evaluation.internal()).ratio() <= unbalanced_ratio_;
+}
+
+void IncrementalLoading::accept(const Model& model, State& state, double step) {
+  LoadingState& loading = state.loading;
+  const std::vector<double> motion = all_increments(model, state);
+  const std::vector<double> everywhere(motion.size(), 1.0);
+  // Along states of equilibrium: the trapezoid from the last one to this.
+  const double all = trapezoid(start_.forces, forces_, motion, everywhere);
+  const double free = trapezoid(start_.forces, forces_, motion, free_);
+  const double of_loads = trapezoid(start_.loads, loads_, motion, free_);
+  const double of_prescribed = free - all;
+  const double of_prescribed_on_path = work_.of_free - work_.of_all;
+  state.ledger[state.ledger.open(ledger_lines::prescribed_motions)].add(of_prescribed);
+  state.ledger[state.ledger.open(ledger_lines::applied_loads)].add(of_loads);
+  state.ledger[state.ledger.open(released_line)].add(work_.of_free + (of_prescribed - of_prescribed_on_path) +
+                                                     (of_loads - work_.of_loads));
+  if (loading.direction.empty() || n_evaluations_ <= most_evaluations_of_smooth_increment) {
+    loading.direction = motion;
+    for (std::size_t i = 0; i < motion.size(); ++i) loading.direction[i] *= free_[i];
+    loading.direction_step = step;
+  }
+  loading.step = step;
+  loading.peak_force = std::max(loading.peak_force, through_force_);
+  loading.n_evaluations += n_evaluations_;
+  ++state.clock.step;
+}
+
+std::vector<EnergyTerm> IncrementalLoading::energies(const Model& /*model*/, const State& state) const {
+  return {{"released", EnergyKind::dissipated, state.ledger.total(released_line)}};
+}
+
+}  // namespace ligament

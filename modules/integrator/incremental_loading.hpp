@@ -1,0 +1,93 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/contact_memory.hpp"
+#include "core/force_provider.hpp"
+#include "integrator/adaptive_momenta.hpp"
+#include "integrator/prescribed_motion.hpp"
+#include "integrator/two_level_mass.hpp"
+
+namespace ligament {
+
+/// What the loading asks of the rest of the simulation, about the state as it is.
+struct ForceEvaluation {
+  std::function<void()> add_forces;           ///< resultants of all bodies, contacts from their memory
+  std::function<void()> add_applied_loads;    ///< resultants of the applied loads alone, in place of the others
+  std::function<ForceMagnitudes()> internal;  ///< see ForceProvider::internal_forces()
+};
+
+/// Quasi-static loading in increments, each relaxed to equilibrium with masses of two levels. Contacts remember the
+/// last equilibrium: while an increment is relaxed, forces are functions of that memory and of the motion since, so
+/// that transients leave no trace. Work of platens and loads is booked along states of equilibrium; what relaxation
+/// takes beyond, the energy that is set free at a jump above all, is a line of its own, "released".
+class IncrementalLoading : public EnergySource {
+ public:
+  void declare(Parameters& parameters);
+  /// Prescribed freedoms, the length of each stage of loading (s), and the unbalanced force ratio of an equilibrium.
+  void set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends, double unbalanced_ratio);
+  /// Makes the masses, from those of the state.
+  void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness);
+
+  /// Goes to the next state of equilibrium of the present stage: clock, displacements, contacts, ledger. False if there
+  /// is none within its limits; the state is then the last equilibrium.
+  bool advance(const Model& model, State& state, const ForceEvaluation& evaluation);
+
+  [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
+
+ private:
+  /// The equilibrium that an increment starts from.
+  struct Start {
+    double time = 0.0;
+    ContactMemory contacts;
+    ParticleState particles;
+    NodeState nodes;
+    std::vector<double> forces;  ///< of all freedoms, prescribed ones included
+    std::vector<double> loads;
+  };
+  /// Sums over the evaluations of an increment (J).
+  struct PathWork {
+    double of_all = 0.0;    ///< of resultants on all freedoms
+    double of_free = 0.0;   ///< on free ones
+    double of_loads = 0.0;  ///< of applied loads
+  };
+
+  void begin(const Model& model, State& state, const ForceEvaluation& evaluation);
+  void restore(State& state) const;
+  [[nodiscard]] double wanted_step(const State& state) const;
+  bool relax(const Model& model, State& state, const ForceEvaluation& evaluation, double step);
+  /// Moves all bodies, evaluates their forces and sums up the work on the way.
+  void move(const Model& model, State& state, const ForceEvaluation& evaluation, const std::vector<double>& motion,
+            const std::vector<double>& loads_before);
+  void accept(const Model& model, State& state, double step);
+  static std::vector<double> applied_loads(const Model& model, State& state, const ForceEvaluation& evaluation);
+  [[nodiscard]] std::vector<double> prescribed_motion(const Model& model, const State& state, double step) const;
+  [[nodiscard]] bool is_settled(const Model& model, const State& state, const ForceEvaluation& evaluation);
+
+  // Parameters.
+  double increment_ = 0.0;        ///< of the fastest prescribed motion (m)
+  std::int64_t load_steps_ = 50;  ///< increments of a stage without prescribed motion
+  double force_mismatch_ = 1e-3;  ///< of external forces, over the running peak
+  std::int64_t settled_evaluations_ = 3;
+  std::int64_t most_evaluations_ = 3000;
+  double smallest_share_ = 1e-3;  ///< of an increment that is cut, over the wanted one
+  DampingBounds bounds_;
+  std::optional<double> coarse_cell_;
+
+  std::vector<PrescribedFreedom> freedoms_;
+  std::vector<double> ends_;
+  double unbalanced_ratio_ = 0.0;
+  std::optional<TwoLevelMass> mass_;
+
+  // Scratch of an increment.
+  Start start_;
+  PathWork work_;
+  std::vector<double> free_;    ///< 1 for free freedoms
+  std::vector<double> forces_;  ///< of all freedoms at the last evaluation
+  std::vector<double> loads_;   ///< at the end of the increment
+  double through_force_ = 0.0;  ///< half the sum of the magnitudes of external forces (N)
+  std::int64_t n_evaluations_ = 0;
+};
+
+}  // namespace ligament

@@ -16,7 +16,7 @@ template <class Pairing>
 class ContactForces : public ForceProvider {
  public:
   void add_forces(const Model& model, State& state) override {
-    if (is_shared(Pairing::table(state).size(), smallest_heavy_loop)) {
+    if (is_shared(Pairing::table(state).size())) {
       add_forces_by_body(model, state);
     } else {
       add_forces_by_contact(model, state);

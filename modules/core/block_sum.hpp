@@ -24,7 +24,7 @@ auto block_sum(std::size_t count, Term&& term) {
   };
   const std::size_t n_blocks = (count + block_size - 1) / block_size;
   Value total{};
-  if (!is_shared(count, smallest_light_loop)) {
+  if (!is_shared(count)) {
     for (std::size_t block = 0; block < n_blocks; ++block) total += partial(block);
     return total;
   }

@@ -19,13 +19,13 @@ inline Threads& threads() {
   return of_the_process;
 }
 
-// Starting and joining threads takes some microseconds: a loop over fewer rows is faster alone.
-inline constexpr std::size_t smallest_light_loop = 4096;  ///< a few operations per row
-inline constexpr std::size_t smallest_heavy_loop = 512;   ///< the physics of a contact or an element per row
+/// Bringing threads together and apart takes as long as the physics of some hundred contacts, and what a thread has
+/// written is slow to read for another: loops over fewer rows are faster alone.
+inline constexpr std::size_t smallest_shared_loop = 4096;
 
-/// Whether a loop over so many rows is shared.
-inline bool is_shared(std::size_t count, std::size_t smallest_loop) {
-  return threads().count > 1 && count > 0 && (count >= smallest_loop || threads().share_small_loops);
+/// Whether threads share a loop over so many rows.
+inline bool is_shared(std::size_t count) {
+  return threads().count > 1 && count > 0 && (count >= smallest_shared_loop || threads().share_small_loops);
 }
 
 /// Calls body(begin, end) for ranges of rows that together are [0, count): one for each thread if the loop is shared,
@@ -52,10 +52,9 @@ void parallel_ranges(std::size_t count, bool shared, Body&& body) {
   if (failure) std::rethrow_exception(failure);
 }
 
-/// A loop of a few operations per row.
 template <class Body>
 void parallel_ranges(std::size_t count, Body&& body) {
-  parallel_ranges(count, is_shared(count, smallest_light_loop), body);
+  parallel_ranges(count, is_shared(count), body);
 }
 
 }  // namespace ligament

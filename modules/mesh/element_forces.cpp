@@ -18,6 +18,15 @@ ElementDisplacement stiffness_times(const ElementStiffness& stiffness, const Ele
   return force;
 }
 
+/// K u of one element of the state (N).
+ElementDisplacement internal_force(const Model& model, const State& state, std::size_t element) {
+  return stiffness_times(model.elements.stiffness[element],
+                         displacement_of(model, state.nodes.translation.displacement, element));
+}
+
+/// The part of one corner.
+Vector corner(const ElementDisplacement& f, std::size_t a) { return {f[2 * a], f[2 * a + 1]}; }
+
 double row_sum(const ElementStiffness& stiffness, std::size_t row) {
   double sum = 0.0;
   for (std::size_t j = 0; j < 8; ++j) sum += std::abs(stiffness[8 * row + j]);
@@ -27,42 +36,34 @@ double row_sum(const ElementStiffness& stiffness, std::size_t row) {
 }  // namespace
 
 void ElementForces::add_forces(const Model& model, State& state) {
-  if (is_shared(model.elements.size(), smallest_heavy_loop)) {
+  if (is_shared(model.elements.size())) {
     add_forces_by_node(model, state);
   } else {
     add_forces_by_element(model, state);
   }
 }
 
-ElementForces::CornerForces ElementForces::corner_forces(const Model& model, const State& state, std::size_t element) {
-  const ElementDisplacement f = stiffness_times(model.elements.stiffness[element],
-                                                displacement_of(model, state.nodes.translation.displacement, element));
-  CornerForces forces;
-  for (std::size_t a = 0; a < 4; ++a) forces[a] = {-f[2 * a], -f[2 * a + 1]};
-  return forces;
-}
-
 void ElementForces::add_forces_by_element(const Model& model, State& state) {
   for (std::size_t element = 0; element < model.elements.size(); ++element) {
-    const CornerForces forces = corner_forces(model, state, element);
+    const ElementDisplacement f = internal_force(model, state, element);
     for (std::size_t a = 0; a < 4; ++a) {
-      state.nodes.translation.force[model.elements.nodes[element][a]] += forces[a];
+      state.nodes.translation.force[model.elements.nodes[element][a]] -= corner(f, a);
     }
   }
 }
 
 void ElementForces::add_forces_by_node(const Model& model, State& state) {
   find_corners_at_nodes(model);
-  corner_forces_.resize(model.elements.size());
+  internal_forces_.resize(model.elements.size());
   parallel_ranges(model.elements.size(), true, [&](std::size_t begin, std::size_t end) {
     for (std::size_t element = begin; element < end; ++element) {
-      corner_forces_[element] = corner_forces(model, state, element);
+      internal_forces_[element] = internal_force(model, state, element);
     }
   });
   parallel_ranges(model.nodes.size(), true, [&](std::size_t begin, std::size_t end) {
     for (std::size_t node = begin; node < end; ++node) {
-      for (const std::size_t corner : corners_at_nodes_.of(node)) {
-        state.nodes.translation.force[node] += corner_forces_[corner / 4][corner % 4];
+      for (const std::size_t number : corners_at_nodes_.of(node)) {
+        state.nodes.translation.force[node] -= corner(internal_forces_[number / 4], number % 4);
       }
     }
   });
@@ -100,11 +101,10 @@ void ElementForces::assemble(const Model& model, const State& /*state*/, Stiffne
 ForceMagnitudes ElementForces::internal_forces(const Model& model, const State& state) const {
   if (model.particles.size() > 0) return {};
   return block_sum(model.elements.size(), [&](std::size_t element) {
-    const ElementDisplacement f = stiffness_times(
-        model.elements.stiffness[element], displacement_of(model, state.nodes.translation.displacement, element));
+    const ElementDisplacement f = internal_force(model, state, element);
     ForceMagnitudes magnitudes;
     for (std::size_t a = 0; a < 4; ++a) {
-      const double force = norm({f[2 * a], f[2 * a + 1]});
+      const double force = norm(corner(f, a));
       magnitudes += {force, force > 0.0 ? 1.0 : 0.0};
     }
     return magnitudes;

@@ -4,6 +4,7 @@
 
 #include "core/force_provider.hpp"
 #include "core/occurrences.hpp"
+#include "mesh/quadrilateral.hpp"
 
 namespace ligament {
 
@@ -18,8 +19,6 @@ class ElementForces : public ForceProvider {
   [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
 
  private:
-  using CornerForces = std::array<Vector, 4>;
-  static CornerForces corner_forces(const Model& model, const State& state, std::size_t element);
   static void add_forces_by_element(const Model& model, State& state);
   void add_forces_by_node(const Model& model, State& state);
   void find_corners_at_nodes(const Model& model);
@@ -27,7 +26,7 @@ class ElementForces : public ForceProvider {
   // Scratch of threads that share the elements.
   Field<std::array<Index, 4>> nodes_;  ///< of the elements
   Occurrences corners_at_nodes_;       ///< corner a of element e has the number 4 e + a
-  std::vector<CornerForces> corner_forces_;
+  std::vector<ElementDisplacement> internal_forces_;
 };
 
 }  // namespace ligament

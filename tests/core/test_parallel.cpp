@@ -37,10 +37,10 @@ TEST_CASE("a shared loop has as many ranges as threads, a small one a single ran
     return n_ranges;
   };
   threads() = {.count = 3};
-  CHECK(count_ranges(smallest_light_loop) == 3);
-  CHECK(count_ranges(smallest_light_loop - 1) == 1);
+  CHECK(count_ranges(smallest_shared_loop) == 3);
+  CHECK(count_ranges(smallest_shared_loop - 1) == 1);
   threads() = {};
-  CHECK(count_ranges(smallest_light_loop) == 1);
+  CHECK(count_ranges(smallest_shared_loop) == 1);
 }
 
 TEST_CASE("threads really share a loop") {

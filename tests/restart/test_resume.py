@@ -78,10 +78,10 @@ class Resume(ProgramTest):
 
     def test_the_number_of_threads_changes_no_bit_of_the_run(self):
         # So many contacts that threads share them.
-        fine = settings(zone__held__radius='"0.005 m"', zone__falling__radius='"0.005 m"')
+        fine = settings(zone__held__radius='"0.004 m"', zone__falling__radius='"0.004 m"')
         run, code = self.limited(FALLING_BLOCK, 300)
         self.call("run", *run, *fine, "--output", "alone", expect=code)
-        self.assertGreater(self.summary("alone")["n_contacts"], 1024)
+        self.assertGreater(self.summary("alone")["n_contacts"], 4096)
         for first, then in ((2, 3), (3, 1), (8, 2)):
             with self.subTest(threads=(first, then)):
                 name = f"threads_{first}_{then}"

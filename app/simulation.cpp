@@ -94,6 +94,12 @@ bool Simulation::increment() {
 
 void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {
   state_.stage.readings.assign(n_stages * n_gauges, 0.0);
+  state_.stage.peaks.assign(n_gauges, 0.0);
+}
+
+void Simulation::note_readings(const std::vector<double>& readings) {
+  Field<double>& peaks = state_.stage.peaks;
+  for (std::size_t i = 0; i < readings.size(); ++i) peaks[i] = std::max(peaks[i], readings[i]);
 }
 
 void Simulation::finish_stage(const std::vector<double>& readings) {
@@ -103,6 +109,7 @@ void Simulation::finish_stage(const std::vector<double>& readings) {
   ++stage.number;
   stage.begin_step = state_.clock.step;
   stage.begin_time = state_.clock.time;
+  state_.loading.direction.clear();
 }
 
 double Simulation::audit() {

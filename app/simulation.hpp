@@ -44,6 +44,8 @@ class Simulation {
 
   /// Makes room for the readings of gauges at the ends of so many stages of loading.
   void open_stages(std::size_t n_stages, std::size_t n_gauges);
+  /// Takes note of readings of all gauges at time n, for their peaks.
+  void note_readings(const std::vector<double>& readings);
   /// Ends the stage of loading under way at time n with these readings; the next one begins.
   void finish_stage(const std::vector<double>& readings);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "build/select_bodies.hpp"
 #include "contact/region_mean.hpp"
@@ -27,15 +28,59 @@ struct WatchedBody {
 
 int axis_of(const GaugePoint& point) { return point.direction == "y" ? 1 : 0; }
 
+std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, const GaugePoint& point,
+                                            const TableView& view, const char* key) {
+  std::vector<WatchedBody> bodies;
+  for (const std::string& name : point.supports) {
+    const auto support = std::find_if(input.supports.begin(), input.supports.end(),
+                                      [&](const auto& other) { return other.table.name == name; });
+    if (support == input.supports.end()) {
+      input.file.add_error(input.file.position(view, key),
+                           fmt::format("there is no [[support]] '{}' {}", name, view.where()));
+      continue;
+    }
+    const SelectedBodies selected = select_bodies(model, support->table.bodies, input.file, support->view);
+    for (const Index row : selected.nodes) bodies.push_back({true, row, axis_of(point)});
+    for (const Index row : selected.particles) bodies.push_back({false, row, axis_of(point)});
+  }
+  return bodies;
+}
+
+/// The node or particle nearest to a place.
+WatchedBody nearest_body(const Model& model, const Vector& place, int axis) {
+  WatchedBody nearest{.axis = axis};
+  double least = std::numeric_limits<double>::infinity();
+  const auto see = [&](const Vector& position, bool is_node, std::size_t row) {
+    const double distance = norm(position - place);
+    if (distance >= least) return;
+    least = distance;
+    nearest.is_node = is_node;
+    nearest.row = static_cast<Index>(row);
+  };
+  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) see(model.nodes.position[i], true, i);
+  for (std::size_t i = 0; i < model.particles.size(); ++i) see(model.particles.position[i], false, i);
+  return nearest;
+}
+
+Gauge opening_gauge(const std::string& name, const WatchedBody& from, const WatchedBody& to) {
+  return {name, name + "_m", [from, to](const Model&, const State& state) {
+            return component(to.table(state).displacement[to.row], to.axis) -
+                   component(from.table(state).displacement[from.row], from.axis);
+          }};
+}
+
 /// What a gauge watches: a body, or both ends of a wall; none if the case is wrong.
 std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const GaugePoint& point, const TableView& view,
                                      const char* key) {
   const SourcePosition position = input.file.position(view, key);
-  if (point.node.has_value() + point.particle.has_value() + point.wall.has_value() != 1) {
-    input.file.add_error(position,
-                         fmt::format("'{}' needs one of 'node', 'particle' and 'wall' {}", key, view.where()));
+  const int n_given =
+      point.node.has_value() + point.particle.has_value() + point.wall.has_value() + !point.supports.empty();
+  if (n_given != 1) {
+    input.file.add_error(
+        position, fmt::format("'{}' needs one of 'node', 'particle', 'wall' and 'supports' {}", key, view.where()));
     return {};
   }
+  if (!point.supports.empty()) return bodies_of_supports(input, model, point, view, key);
   if (point.wall) {
     const auto nodes = find_wall(model, *point.wall, input.file, view, key);
     if (!nodes) return {};
@@ -53,7 +98,7 @@ std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const Gaug
 
 /// Of a wall, the mean of its ends.
 Gauge displacement_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
-  return {name + "_m", [bodies](const Model&, const State& state) {
+  return {name, name + "_m", [bodies](const Model&, const State& state) {
             double sum = 0.0;
             for (const WatchedBody& body : bodies) {
               sum += component(body.table(state).displacement[body.row], body.axis);
@@ -63,7 +108,7 @@ Gauge displacement_gauge(const std::string& name, const std::vector<WatchedBody>
 }
 
 Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
-  return {name + "_N", [bodies](const Model& model, const State& state) {
+  return {name, name + "_N", [bodies](const Model& model, const State& state) {
             double sum = 0.0;
             for (const WatchedBody& body : bodies) {
               sum += component(reaction(body.table(state), body.free(model), state.clock, body.row), body.axis);
@@ -102,13 +147,13 @@ Rectangle find_region(Case& input, const Model& model, const GaugeRegion& table,
 }
 
 Gauge stress_gauge(const std::string& name, const Rectangle& region, const std::string& of) {
-  return {name + "_Pa", [region, of](const Model& model, const State& state) {
+  return {name, name + "_Pa", [region, of](const Model& model, const State& state) {
             return component(mean_stress(model, state, region), of);
           }};
 }
 
 Gauge strain_gauge(const std::string& name, const Rectangle& region, const std::string& of) {
-  return {name + "_1", [region, of](const Model& model, const State& state) {
+  return {name, name + "_1", [region, of](const Model& model, const State& state) {
             return component(mean_strain(model, state, region), of);
           }};
 }
@@ -125,7 +170,20 @@ Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, cons
   if (table.stress.is_given) {
     return stress_gauge(table.name, find_region(input, model, table.stress, view, "stress"), table.stress.component);
   }
+  if (table.opening.is_given) {
+    const int axis = table.opening.direction == "y" ? 1 : 0;
+    return opening_gauge(table.name, nearest_body(model, to_vector(table.opening.from), axis),
+                         nearest_body(model, to_vector(table.opening.to), axis));
+  }
   return strain_gauge(table.name, find_region(input, model, table.strain, view, "strain"), table.strain.component);
+}
+
+Gauge scaled(Gauge gauge, double factor) {
+  if (factor == 1.0) return gauge;
+  gauge.value = [factor, value = std::move(gauge.value)](const Model& model, const State& state) {
+    return factor * value(model, state);
+  };
+  return gauge;
 }
 
 }  // namespace
@@ -133,14 +191,14 @@ Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, cons
 std::vector<Gauge> build_gauges(Case& input, const Model& model) {
   std::vector<Gauge> gauges;
   for (const auto& [table, view] : input.gauges) {
-    const int n_given =
-        table.displacement.is_given + table.reaction.is_given + table.stress.is_given + table.strain.is_given;
+    const int n_given = table.displacement.is_given + table.reaction.is_given + table.opening.is_given +
+                        table.stress.is_given + table.strain.is_given;
     if (n_given == 1) {
-      gauges.push_back(build_gauge(input, model, table, view));
+      gauges.push_back(scaled(build_gauge(input, model, table, view), table.factor));
     } else {
       input.file.add_error(
           input.file.position(view),
-          fmt::format("a gauge measures one thing: give 'displacement', 'reaction', 'stress' or 'strain' {}",
+          fmt::format("a gauge measures one thing: give 'displacement', 'reaction', 'opening', 'stress' or 'strain' {}",
                       view.where()));
     }
   }

@@ -58,6 +58,7 @@ BuiltSimulation build_simulation(Case& input) {
   modules.force_providers = force_providers(input, std::move(conditions.loads));
   modules.constraints.push_back(std::move(motion));
   std::vector<Gauge> gauges = build_gauges(input, built.model);
+  std::optional<StopCriterion> stop = build_stop_criterion(input, gauges);
   input.file.throw_collected_errors();
 
   BuiltSimulation result{
@@ -66,6 +67,7 @@ BuiltSimulation build_simulation(Case& input) {
       .reports = std::move(built.reports),
       .freedoms = std::move(conditions.freedoms),
       .end_of_loading = std::move(conditions.end_of_loading),
+      .stop = stop,
       .warnings = std::move(conditions.warnings),
   };
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());

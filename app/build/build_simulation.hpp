@@ -2,6 +2,7 @@
 
 #include "build/build_conditions.hpp"
 #include "build/build_model.hpp"
+#include "build/stop_criterion.hpp"
 #include "case/case.hpp"
 #include "gauge.hpp"
 #include "simulation.hpp"
@@ -15,6 +16,7 @@ struct BuiltSimulation {
   std::vector<ZoneReport> reports;
   std::vector<PrescribedFreedom> freedoms;  ///< held and moved
   std::vector<double> end_of_loading;       ///< see Conditions
+  std::optional<StopCriterion> stop;
   std::vector<std::string> warnings;
 };
 

@@ -41,6 +41,7 @@ struct Case {
   std::vector<Read<GaugeTable>> gauges;
   PropertiesTable properties;
   SolverTable solver;
+  std::optional<Read<StopTable>> stop;
   OutputTable output;
   CheckpointTable checkpoint;
   AuditTable audit;

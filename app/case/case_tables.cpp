@@ -124,6 +124,13 @@ void GaugePoint::declare(Parameters& parameters) {
   parameters.integer("node", node, "number of the node").at_least(1);
   parameters.integer("particle", particle, "number of the particle").at_least(1);
   parameters.text("wall", wall, "name of the wall");
+  parameters.texts("supports", supports, "names of supports, whose reactions are summed up");
+  parameters.text("direction", direction, "axis").required().one_of({"x", "y"});
+}
+
+void GaugePair::declare(Parameters& parameters) {
+  parameters.point("from", from, "m", "place of the first body: the nearest one at set-up counts").required();
+  parameters.point("to", to, "m", "place of the second body, likewise").required();
   parameters.text("direction", direction, "axis").required().one_of({"x", "y"});
 }
 
@@ -137,10 +144,13 @@ void GaugeTable::declare(Parameters& parameters) {
   displacement.declare(
       parameters.table("displacement", displacement.is_given, "displacement of a node or particle (m)"));
   reaction.declare(parameters.table("reaction", reaction.is_given, "force that holds a supported or driven body (N)"));
+  opening.declare(
+      parameters.table("opening", opening.is_given, "displacement of a second body less that of a first one (m)"));
   stress.declare(parameters.table("stress", stress.is_given,
                                   "mean stress of the particles in a rectangle, tension positive (Pa)"));
   strain.declare(parameters.table("strain", strain.is_given,
                                   "mean strain of the particles in a rectangle, shear as half the angle (1)"));
+  parameters.number("factor", factor, "what is measured is multiplied by this; -1 turns its sign");
 }
 
 void PropertiesTable::declare(Parameters& parameters) {
@@ -171,6 +181,17 @@ void SolverTable::declare(Parameters& parameters) {
       .greater_than(0.0);
   parameters.integer("max_steps", max_steps, "the run ends at this step at the latest").required().at_least(1);
   parameters.integer("check_every", check_every, "steps between two checks of convergence").at_least(1);
+}
+
+void StopTable::declare(Parameters& parameters) {
+  parameters.text("gauge", gauge, "name of the gauge that is watched").required();
+  parameters
+      .number("drop_to_share", drop_to_share,
+              "the run ends when the gauge has fallen to this share of its largest value")
+      .greater_than(0.0)
+      .less_than(1.0);
+  parameters.number("above", above, "the run ends when the gauge is above this, in its SI unit");
+  parameters.number("below", below, "the run ends when the gauge is below this, in its SI unit");
 }
 
 void OutputTable::declare(Parameters& parameters) {

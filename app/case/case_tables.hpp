@@ -130,12 +130,23 @@ struct LoadTable {
   void declare(Parameters& parameters);
 };
 
-/// One body and an axis.
+/// One body, a wall or the bodies of supports, and an axis.
 struct GaugePoint {
   bool is_given = false;
   std::optional<std::int64_t> node;
   std::optional<std::int64_t> particle;
   std::optional<std::string> wall;
+  std::vector<std::string> supports;
+  std::string direction;
+
+  void declare(Parameters& parameters);
+};
+
+/// Two places, and an axis.
+struct GaugePair {
+  bool is_given = false;
+  std::array<double, 2> from{};
+  std::array<double, 2> to{};
   std::string direction;
 
   void declare(Parameters& parameters);
@@ -155,8 +166,10 @@ struct GaugeTable {
   std::string name;
   GaugePoint displacement;
   GaugePoint reaction;
+  GaugePair opening;
   GaugeRegion stress;
   GaugeRegion strain;
+  double factor = 1.0;
 
   void declare(Parameters& parameters);
 };
@@ -182,6 +195,16 @@ struct SolverTable {
   /// One of the two, by the method.
   std::unique_ptr<Integrator> integrator;
   std::unique_ptr<IncrementalLoading> loading;
+
+  void declare(Parameters& parameters);
+};
+
+/// When a run ends before its loading does.
+struct StopTable {
+  std::optional<std::string> gauge;
+  std::optional<double> drop_to_share;
+  std::optional<double> above;
+  std::optional<double> below;
 
   void declare(Parameters& parameters);
 };

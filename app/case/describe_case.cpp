@@ -59,6 +59,7 @@ std::vector<TableDescription> describe_case() {
       describe<PropertiesTable>("properties", Kind::single,
                                 "How assembly properties are measured; only with kind = \"assembly_properties\"."),
       describe<SolverTable>("solver", Kind::single, "How the equations of motion are stepped.", true),
+      describe<StopTable>("stop", Kind::single, "When the run ends before its loading does."),
       describe<OutputTable>("output", Kind::single, "What is written when."),
       describe<CheckpointTable>("checkpoint", Kind::single, "When the state is saved for `resume`."),
       describe<AuditTable>("audit", Kind::single, "How closely the energy ledger must close.")};

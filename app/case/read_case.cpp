@@ -127,6 +127,11 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
     file.add_error(file.position(file.table("properties")), "[properties] is for kind = \"assembly_properties\" alone");
   }
   read_solver(file, input.solver);
+  if (file.has("stop")) {
+    StopTable stop;
+    read_single(file, "stop", stop);
+    input.stop.emplace(Read<StopTable>{std::move(stop), file.table("stop")});
+  }
   read_single(file, "output", input.output);
   read_single(file, "checkpoint", input.checkpoint);
   read_single(file, "audit", input.audit);

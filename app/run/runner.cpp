@@ -145,7 +145,22 @@ bool Runner::is_stage_complete() {
   return unbalance.ratio() <= *input_.solver.unbalanced_force_ratio;
 }
 
+std::vector<double> Runner::readings() const {
+  std::vector<double> values;
+  const Simulation& simulation = built_.simulation;
+  for (const Gauge& gauge : built_.gauges) values.push_back(gauge.value(simulation.model(), simulation.state()));
+  return values;
+}
+
+bool Runner::watch_gauges() {
+  if (!built_.simulation.is_quasi_static() && !is_due(input_.solver.check_every)) return false;
+  const std::vector<double> values = readings();
+  built_.simulation.note_readings(values);
+  return built_.stop && built_.stop->is_reached(values, built_.simulation.state().stage.peaks);
+}
+
 std::optional<Ending> Runner::find_ending() {
+  if (watch_gauges()) return Ending::completed;
   const bool is_complete = is_stage_complete();
   if (is_complete && is_last_stage()) return Ending::converged;
   stage_is_complete_ = is_complete;
@@ -185,12 +200,9 @@ void Runner::handle_boundary(std::optional<Ending> ending) {
 }
 
 void Runner::finish_stage() {
-  std::vector<double> readings;
-  const Simulation& simulation = built_.simulation;
-  for (const Gauge& gauge : built_.gauges) readings.push_back(gauge.value(simulation.model(), simulation.state()));
-  console_.line(fmt::format("stage {} of {} in equilibrium at step {}", simulation.state().stage.number,
+  console_.line(fmt::format("stage {} of {} in equilibrium at step {}", built_.simulation.state().stage.number,
                             built_.end_of_loading.size(), step()));
-  built_.simulation.finish_stage(readings);
+  built_.simulation.finish_stage(readings());
   stage_is_complete_ = false;
 }
 

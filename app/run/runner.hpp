@@ -36,6 +36,10 @@ class Runner {
   void refuse_to_lose_results() const;
   /// Whether the case asks for convergence, and loads and motions of the stage come to an end.
   [[nodiscard]] bool can_converge() const;
+  /// Values of all gauges at this boundary.
+  [[nodiscard]] std::vector<double> readings() const;
+  /// Takes note of the peaks of gauges; whether one of them ends the run.
+  bool watch_gauges();
   /// Whether the stage of loading has come to its end: fully loaded and in equilibrium.
   bool is_stage_complete();
   [[nodiscard]] bool is_last_stage() const;

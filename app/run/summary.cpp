@@ -60,6 +60,14 @@ Json force_mismatch(const BuiltSimulation& built, Ending ending) {
   return mismatch ? Json(*mismatch) : Json(nullptr);
 }
 
+/// The largest reading of the gauge of the load, where there is one.
+std::optional<double> peak_load(const BuiltSimulation& built) {
+  for (std::size_t i = 0; i < built.gauges.size(); ++i) {
+    if (built.gauges[i].column == "load_N") return built.simulation.state().stage.peaks[i];
+  }
+  return std::nullopt;
+}
+
 void add_properties(const std::string& prefix, const AssemblyProperties& properties, Json& values) {
   values[prefix + "young_modulus_x_Pa"] = properties.young_modulus_x;
   values[prefix + "poisson_ratio_x"] = properties.poisson_ratio_x;
@@ -114,6 +122,8 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
             {"audit", passed ? "passed" : "failed"},
             {"final_state_hash", state_hash(simulation.state())},
             {"force_mismatch_max", force_mismatch(built, summary.ending)}};
+  if (simulation.is_quasi_static()) json["n_evaluations"] = simulation.state().loading.n_evaluations;
+  if (const auto peak = peak_load(built)) json["peak_load_N"] = *peak;
   if (summary.motion_error) json["motion_error"] = *summary.motion_error;
   if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;
   if (!summary.divergence.empty()) json["divergence"] = summary.divergence;

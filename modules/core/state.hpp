@@ -103,6 +103,7 @@ struct StageState {
   std::int64_t begin_step = 0;  ///< n at which it began
   double begin_time = 0.0;      ///< t at which it began (s)
   Field<double> readings;       ///< of all gauges at the ends of the stages before, stage by stage
+  Field<double> peaks;          ///< largest reading of every gauge so far
 };
 
 /// What quasi-static loading in increments remembers.

@@ -89,6 +89,7 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
   const double wanted = wanted_step(state);
   // After a cut the way back to the wanted increment is taken in strides.
   double step = state.loading.step > 0.0 ? std::min(wanted, 2.0 * state.loading.step) : wanted;
+  if (state.loading.direction.empty()) find_direction(model, state, evaluation, wanted);
   for (;;) {
     if (relax(model, state, evaluation, step)) {
       accept(model, state, step);
@@ -98,6 +99,22 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
     step *= cut;
     if (!(step > smallest_share_ * wanted)) return false;
   }
+}
+
+void IncrementalLoading::find_direction(const Model& model, State& state, const ForceEvaluation& evaluation,
+                                        double wanted) {
+  // A platen that starts at full increment would hit what it touches: most of its work would go to relaxation, and
+  // contacts that bounce off have no work that a trapezoid could find.
+  const double step = 1e-3 * wanted;
+  if (relax(model, state, evaluation, step)) remember_direction(model, state, step);
+  restore(state);
+}
+
+void IncrementalLoading::remember_direction(const Model& model, State& state, double step) const {
+  LoadingState& loading = state.loading;
+  loading.direction = all_increments(model, state);
+  for (std::size_t i = 0; i < free_.size(); ++i) loading.direction[i] *= free_[i];
+  loading.direction_step = step;
 }
 
 void IncrementalLoading::begin(const Model& model, State& state, const ForceEvaluation& evaluation) {
@@ -154,7 +171,7 @@ bool IncrementalLoading::relax(const Model& model, State& state, const ForceEval
   const std::vector<double> loads_before = start_.loads;
 
   std::vector<double> motion = prescribed_motion(model, state, step);
-  if (!loading.direction.empty()) {
+  if (!loading.direction.empty() && loading.direction_step > 0.0) {
     const double scale = step / loading.direction_step;
     for (std::size_t i = 0; i < motion.size(); ++i) motion[i] += scale * loading.direction[i];
   }
@@ -230,9 +247,7 @@ void IncrementalLoading::accept(const Model& model, State& state, double step) {
   state.ledger[state.ledger.open(released_line)].add(work_.of_free + (of_prescribed - of_prescribed_on_path) +
                                                      (of_loads - work_.of_loads));
   if (loading.direction.empty() || n_evaluations_ <= most_evaluations_of_smooth_increment) {
-    loading.direction = motion;
-    for (std::size_t i = 0; i < motion.size(); ++i) loading.direction[i] *= free_[i];
-    loading.direction_step = step;
+    remember_direction(model, state, step);
   }
   loading.step = step;
   loading.peak_force = std::max(loading.peak_force, through_force_);

@@ -55,6 +55,9 @@ class IncrementalLoading : public EnergySource {
 
   void begin(const Model& model, State& state, const ForceEvaluation& evaluation);
   void restore(State& state) const;
+  /// The motion of a stage that begins, from a small increment that is taken back.
+  void find_direction(const Model& model, State& state, const ForceEvaluation& evaluation, double wanted);
+  void remember_direction(const Model& model, State& state, double step) const;
   [[nodiscard]] double wanted_step(const State& state) const;
   bool relax(const Model& model, State& state, const ForceEvaluation& evaluation, double step);
   /// Moves all bodies, evaluates their forces and sums up the work on the way.

@@ -75,7 +75,7 @@ TEST_CASE("only what the audit and the gauges read off is sampled") {
   visit_fields(state, [&](const std::string& name, auto&, FieldRole role) {
     if (role == FieldRole::sampled) sampled.insert(name);
   });
-  CHECK(sampled == std::set<std::string>{"ledger.scale", "ledger.largest_error", "stage.readings"});
+  CHECK(sampled == std::set<std::string>{"ledger.scale", "ledger.largest_error", "stage.peaks", "stage.readings"});
 }
 
 TEST_CASE("a constant state is visited the same way") {

@@ -54,7 +54,7 @@ struct MohrCoulomb : MohrCoulombStrength {
       force.normal = normal;
       force.shear = shear;
     } else if (force.bond == BondState::bonded || force.bond == BondState::softening) {
-      soften(input, shear, force, history);
+      soften_on_the_way(input, force, history);
     } else {
       slide(input, force, history[friction_work]);
     }
@@ -86,6 +86,38 @@ struct MohrCoulomb : MohrCoulombStrength {
   [[nodiscard]] SofteningMode<Curve> shear() const { return {curve, cohesion, fracture_energy_shear}; }
 
   [[nodiscard]] CoupledModes<Curve> modes() const { return {tension(), shear(), coupling}; }
+
+  /// A long way is taken in parts, straight from the old opening to the new: where both modes grow, what a step spends
+  /// and leaves depends on the order in which they do.
+  void soften_on_the_way(const ContactInput& input, ContactForce& force, History& history) const {
+    const double opening_before = opening_of(input, force, history);
+    const double parts_to_the_end = 64.0;
+    const double way = std::max(std::abs(input.opening - opening_before) / tension().end(),
+                                std::abs(input.slip_increment) / shear().end());
+    const double n_parts = std::clamp(std::ceil(parts_to_the_end * way), 1.0, 4.0 * parts_to_the_end);
+    ContactInput part = input;
+    part.slip_increment = input.slip_increment / n_parts;
+    for (double i = 1.0; i <= n_parts; i += 1.0) {
+      const double left = (n_parts - i) / n_parts;
+      part.opening = input.opening - left * (input.opening - opening_before);
+      if (force.bond == BondState::broken) {
+        slide(part, force, history[friction_work]);
+      } else {
+        soften(part, force.shear - input.shear_stiffness * part.slip_increment, force, history);
+      }
+    }
+  }
+
+  /// The opening at which a bond has its force (m).
+  [[nodiscard]] double opening_of(const ContactInput& input, const ContactForce& force, const History& history) const {
+    const double elastic = -force.normal / input.normal_stiffness;
+    const double w = history[opening_inelastic];
+    if (!(force.normal < 0.0) || w == 0.0) return elastic;
+    if (unloading == Unloading::elastic) return elastic + w;
+    const BondDamage bond{{w, history[damage_tension]}, {history[slip_inelastic], history[damage_shear]}};
+    const double limit = modes().tension_limit(bond) * input.area;
+    return elastic * (1.0 + input.normal_stiffness * w / limit);
+  }
 
   void soften(const ContactInput& input, ShearVector trial, ContactForce& force, History& history) const {
     const BondDamage before{{history[opening_inelastic], history[damage_tension]},

@@ -21,6 +21,9 @@ struct SofteningMode {
   /// x = w f/G.
   [[nodiscard]] double relative(double w) const { return w * strength / fracture_energy; }
 
+  /// The inelastic displacement at the break (m).
+  [[nodiscard]] double end() const { return curve.end() * fracture_energy / strength; }
+
   /// The least inelastic displacement w (m), at most that of the break, with w + r(w) f A/k = reach: r is the part of
   /// the strength that is left beside the damage of the other mode, and r f A/k what the spring takes of the
   /// displacement.

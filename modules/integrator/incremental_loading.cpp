@@ -8,17 +8,12 @@
 #include "integrator/convergence.hpp"
 #include "integrator/freedom_columns.hpp"
 #include "integrator/ledger_lines.hpp"
+#include "integrator/line_integral.hpp"
 
 namespace ligament {
 namespace {
 
 constexpr const char* released_line = "released";
-
-/// ½ (a + b)·motion over the freedoms whose weight is 1.
-double trapezoid(const std::vector<double>& a, const std::vector<double>& b, const std::vector<double>& motion,
-                 const std::vector<double>& weight) {
-  return block_sum(motion.size(), [&](std::size_t i) { return 0.5 * weight[i] * (a[i] + b[i]) * motion[i]; });
-}
 
 Vector sum_of_free(const TranslationState& bodies, const Field<Vector>& free) {
   return block_sum(bodies.force.size(), [&](std::size_t i) { return componentwise(free[i], bodies.force[i]); });
@@ -92,7 +87,7 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
   if (state.loading.direction.empty()) find_direction(model, state, evaluation, wanted);
   for (;;) {
     if (relax(model, state, evaluation, step)) {
-      accept(model, state, step);
+      accept(model, state, evaluation, step);
       return true;
     }
     restore(state);
@@ -163,19 +158,16 @@ double IncrementalLoading::wanted_step(const State& state) const {
 
 bool IncrementalLoading::relax(const Model& model, State& state, const ForceEvaluation& evaluation, double step) {
   const LoadingState& loading = state.loading;
-  work_ = {};
   n_evaluations_ = 0;
   state.clock.time = start_.time + step;
   loads_ = applied_loads(model, state, evaluation);
-  forces_ = start_.forces;
-  const std::vector<double> loads_before = start_.loads;
 
   std::vector<double> motion = prescribed_motion(model, state, step);
   if (!loading.direction.empty() && loading.direction_step > 0.0) {
     const double scale = step / loading.direction_step;
     for (std::size_t i = 0; i < motion.size(); ++i) motion[i] += scale * loading.direction[i];
   }
-  move(model, state, evaluation, motion, loads_before);
+  move(model, state, evaluation, motion);
 
   std::vector<double> momenta(motion.size(), 0.0);
   std::vector<double> free_before = free_forces(model, state);
@@ -187,7 +179,7 @@ bool IncrementalLoading::relax(const Model& model, State& state, const ForceEval
     if (n_evaluations_ >= most_evaluations_) return false;
     update_momenta(momenta, free_now, damping);
     motion = mass_->velocities(momenta);
-    move(model, state, evaluation, motion, loads_);
+    move(model, state, evaluation, motion);
     free_before = std::move(free_now);
     free_now = free_forces(model, state);
     damping = adaptive_damping(motion, momenta, free_now, free_before, bounds_);
@@ -197,17 +189,12 @@ bool IncrementalLoading::relax(const Model& model, State& state, const ForceEval
 }
 
 void IncrementalLoading::move(const Model& model, State& state, const ForceEvaluation& evaluation,
-                              const std::vector<double>& motion, const std::vector<double>& loads_before) {
-  const std::vector<double> before = std::move(forces_);
+                              const std::vector<double>& motion) {
   move_bodies(motion, state);
   start_.contacts.put_back(state);
   evaluation.add_forces();
   forces_ = all_forces(model, state);
   ++n_evaluations_;
-  const std::vector<double> everywhere(motion.size(), 1.0);
-  work_.of_all += trapezoid(before, forces_, motion, everywhere);
-  work_.of_free += trapezoid(before, forces_, motion, free_);
-  work_.of_loads += trapezoid(loads_before, loads_, motion, free_);
 }
 
 std::vector<double> IncrementalLoading::prescribed_motion(const Model& model, const State& state, double step) const {
@@ -232,27 +219,75 @@ bool IncrementalLoading::is_settled(const Model& model, const State& state, cons
   return measure_unbalance(model, state, evaluation.internal()).ratio() <= unbalanced_ratio_;
 }
 
-void IncrementalLoading::accept(const Model& model, State& state, double step) {
+void IncrementalLoading::accept(const Model& model, State& state, const ForceEvaluation& evaluation, double step) {
   LoadingState& loading = state.loading;
-  const std::vector<double> motion = all_increments(model, state);
-  const std::vector<double> everywhere(motion.size(), 1.0);
-  // Along states of equilibrium: the trapezoid from the last one to this.
-  const double all = trapezoid(start_.forces, forces_, motion, everywhere);
-  const double free = trapezoid(start_.forces, forces_, motion, free_);
-  const double of_loads = trapezoid(start_.loads, loads_, motion, free_);
-  const double of_prescribed = free - all;
-  const double of_prescribed_on_path = work_.of_free - work_.of_all;
-  state.ledger[state.ledger.open(ledger_lines::prescribed_motions)].add(of_prescribed);
-  state.ledger[state.ledger.open(ledger_lines::applied_loads)].add(of_loads);
-  state.ledger[state.ledger.open(released_line)].add(work_.of_free + (of_prescribed - of_prescribed_on_path) +
-                                                     (of_loads - work_.of_loads));
   if (loading.direction.empty() || n_evaluations_ <= most_evaluations_of_smooth_increment) {
     remember_direction(model, state, step);
   }
+  const std::vector<double> motion = all_increments(model, state);
+  // Along states of equilibrium: the trapezoid, as of a load-displacement curve.
+  const Work along_equilibria = 0.5 * (rate(motion, start_.forces, start_.loads) + rate(motion, forces_, loads_));
+  book(along_equilibria, line_work(model, state, evaluation, motion), state.ledger);
   loading.step = step;
   loading.peak_force = std::max(loading.peak_force, through_force_);
   loading.n_evaluations += n_evaluations_;
   ++state.clock.step;
+}
+
+IncrementalLoading::Work& IncrementalLoading::Work::operator+=(const Work& b) {
+  of_all += b.of_all;
+  of_free += b.of_free;
+  of_loads += b.of_loads;
+  return *this;
+}
+
+IncrementalLoading::Work IncrementalLoading::rate(const std::vector<double>& motion, const std::vector<double>& forces,
+                                                  const std::vector<double>& loads) const {
+  return block_sum(motion.size(), [&](std::size_t i) {
+    const double all = forces[i] * motion[i];
+    return Work{all, free_[i] * all, free_[i] * loads[i] * motion[i]};
+  });
+}
+
+IncrementalLoading::Work IncrementalLoading::line_work(const Model& model, State& state,
+                                                       const ForceEvaluation& evaluation,
+                                                       const std::vector<double>& motion) {
+  const double time = state.clock.time;
+  const ParticleState particles = state.particles;
+  const NodeState nodes = state.nodes;
+  ContactMemory contacts;
+  contacts.take(state);
+  const auto rate_at = [&](double share) {
+    state.particles = start_.particles;
+    state.nodes = start_.nodes;
+    state.clock.time = start_.time + share * (time - start_.time);
+    std::vector<double> part(motion);
+    for (double& value : part) value *= share;
+    const std::vector<double> loads = applied_loads(model, state, evaluation);
+    move(model, state, evaluation, part);
+    return rate(motion, forces_, loads);
+  };
+  const Work begin = rate(motion, start_.forces, start_.loads);
+  const Work end = rate(motion, forces_, loads_);
+  const double scale = std::abs(state.ledger.total(ledger_lines::prescribed_motions)) +
+                       std::abs(state.ledger.total(ledger_lines::applied_loads)) + std::abs(end.of_prescribed()) +
+                       std::abs(end.of_loads);
+  constexpr double tolerance = 1e-6;
+  const Work work = line_integral(
+      begin, end, rate_at, [](const Work& value) { return value.of_free; }, tolerance * scale);
+  state.clock.time = time;
+  state.particles = particles;
+  state.nodes = nodes;
+  contacts.put_back(state);
+  return work;
+}
+
+void IncrementalLoading::book(const Work& along_equilibria, const Work& along_line, EnergyLedger& ledger) {
+  ledger[ledger.open(ledger_lines::prescribed_motions)].add(along_equilibria.of_prescribed());
+  ledger[ledger.open(ledger_lines::applied_loads)].add(along_equilibria.of_loads);
+  ledger[ledger.open(released_line)].add(along_line.of_free +
+                                         (along_equilibria.of_prescribed() - along_line.of_prescribed()) +
+                                         (along_equilibria.of_loads - along_line.of_loads));
 }
 
 std::vector<EnergyTerm> IncrementalLoading::energies(const Model& /*model*/, const State& state) const {

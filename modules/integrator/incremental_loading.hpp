@@ -20,8 +20,9 @@ struct ForceEvaluation {
 
 /// Quasi-static loading in increments, each relaxed to equilibrium with masses of two levels. Contacts remember the
 /// last equilibrium: while an increment is relaxed, forces are functions of that memory and of the motion since, so
-/// that transients leave no trace. Work of platens and loads is booked along states of equilibrium; what relaxation
-/// takes beyond, the energy that is set free at a jump above all, is a line of its own, "released".
+/// that transients leave no trace. Work of platens and loads is booked along states of equilibrium. The work of
+/// resultants on free bodies along the line from one equilibrium to the next, above all the energy that is set free at
+/// a jump, is a line of the ledger of its own, "released".
 class IncrementalLoading : public EnergySource {
  public:
   void declare(Parameters& parameters);
@@ -46,11 +47,18 @@ class IncrementalLoading : public EnergySource {
     std::vector<double> forces;  ///< of all freedoms, prescribed ones included
     std::vector<double> loads;
   };
-  /// Sums over the evaluations of an increment (J).
-  struct PathWork {
+  /// Works from one equilibrium to the next (J), or their rates on the way.
+  struct Work {
     double of_all = 0.0;    ///< of resultants on all freedoms
     double of_free = 0.0;   ///< on free ones
     double of_loads = 0.0;  ///< of applied loads
+
+    Work& operator+=(const Work& b);
+    friend Work operator+(Work a, const Work& b) { return a += b; }
+    friend Work operator*(double s, const Work& a) { return {s * a.of_all, s * a.of_free, s * a.of_loads}; }
+    friend Work operator-(const Work& a, const Work& b) { return a + (-1.0) * b; }
+    /// Of what moves prescribed freedoms, against the resultants on them.
+    [[nodiscard]] double of_prescribed() const { return of_free - of_all; }
   };
 
   void begin(const Model& model, State& state, const ForceEvaluation& evaluation);
@@ -60,10 +68,16 @@ class IncrementalLoading : public EnergySource {
   void remember_direction(const Model& model, State& state, double step) const;
   [[nodiscard]] double wanted_step(const State& state) const;
   bool relax(const Model& model, State& state, const ForceEvaluation& evaluation, double step);
-  /// Moves all bodies, evaluates their forces and sums up the work on the way.
-  void move(const Model& model, State& state, const ForceEvaluation& evaluation, const std::vector<double>& motion,
-            const std::vector<double>& loads_before);
-  void accept(const Model& model, State& state, double step);
+  /// Moves all bodies and evaluates their forces.
+  void move(const Model& model, State& state, const ForceEvaluation& evaluation, const std::vector<double>& motion);
+  void accept(const Model& model, State& state, const ForceEvaluation& evaluation, double step);
+  [[nodiscard]] Work rate(const std::vector<double>& motion, const std::vector<double>& forces,
+                          const std::vector<double>& loads) const;
+  /// The work along the straight line from the last equilibrium to this one, on which the contacts, too, take their
+  /// history from one to the other.
+  Work line_work(const Model& model, State& state, const ForceEvaluation& evaluation,
+                 const std::vector<double>& motion);
+  static void book(const Work& along_equilibria, const Work& along_line, EnergyLedger& ledger);
   static std::vector<double> applied_loads(const Model& model, State& state, const ForceEvaluation& evaluation);
   [[nodiscard]] std::vector<double> prescribed_motion(const Model& model, const State& state, double step) const;
   [[nodiscard]] bool is_settled(const Model& model, const State& state, const ForceEvaluation& evaluation);
@@ -85,7 +99,6 @@ class IncrementalLoading : public EnergySource {
 
   // Scratch of an increment.
   Start start_;
-  PathWork work_;
   std::vector<double> free_;    ///< 1 for free freedoms
   std::vector<double> forces_;  ///< of all freedoms at the last evaluation
   std::vector<double> loads_;   ///< at the end of the increment

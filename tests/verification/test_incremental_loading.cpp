@@ -1,0 +1,177 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "build/build_simulation.hpp"
+#include "build/select_bodies.hpp"
+#include "constitutive/mohr_coulomb_bilinear.hpp"
+#include "core/state_hash.hpp"
+#include "reference/direct_solution.hpp"
+#include "support/hand_made_model.hpp"
+#include "support/hand_made_simulation.hpp"
+
+using namespace ligament;
+using namespace ligament::support;
+
+namespace {
+
+constexpr double radius = 0.01;
+constexpr double strength = 2e6;
+constexpr double fracture_energy = 40.0;
+
+std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends,
+                                            const std::string& key = "increment", const ParameterValue& value = 1e-6) {
+  auto result = std::make_unique<IncrementalLoading>();
+  Parameters parameters;
+  result->declare(parameters);
+  for (Parameter& parameter : parameters.list()) {
+    if (parameter.name == "increment") parameter.assign(1e-6);
+    if (parameter.name == key) parameter.assign(value);
+  }
+  result->set_loading(std::move(freedoms), std::move(ends), 1e-6);
+  return result;
+}
+
+/// A row of discs that touch, the first one held, the last one moved along the row in one stage of 1 s.
+struct Row {
+  Simulation simulation;
+
+  Row(int n_discs, double displacement, std::vector<StageVelocity> motions = {}, const std::string& key = "increment",
+      const ParameterValue& value = 1e-6)
+      : simulation(make(n_discs, displacement, std::move(motions), key, value)) {
+    simulation.open_stages(2, 0);
+  }
+
+  static Simulation make(int n_discs, double displacement, std::vector<StageVelocity> motions, const std::string& key,
+                         const ParameterValue& value) {
+    MohrCoulombBilinear law;
+    law.tensile_strength = strength;
+    law.cohesion = 10.0 * strength;
+    law.fracture_energy_tension = fracture_energy;
+    law.fracture_energy_shear = 10.0 * fracture_energy;
+    Model model = empty_model({.young_modulus = 20e9});
+    model.laws[bond_law] = {"rock.bond", std::make_shared<BatchLaw<MohrCoulombBilinear>>(law),
+                            MohrCoulombBilinear::n_history};
+    for (int i = 0; i < n_discs; ++i) add_particle(model, {2.0 * radius * i, 0.0}, radius);
+    if (motions.empty()) motions = {{.velocity = displacement, .stop_time = 1.0}};
+    std::vector<PrescribedFreedom> freedoms = held_particle(0);
+    for (const PrescribedFreedom& held : held_particle(static_cast<Index>(n_discs - 1))) freedoms.push_back(held);
+    freedoms[3].motions = motions;
+    const std::vector<double> ends(motions.size(), 1.0);
+    PrescribedMotion constraint(freedoms);
+    constraint.fix(model);
+    Modules modules;
+    modules.loading = loading(freedoms, ends, key, value);
+    modules.contact_detector = std::make_unique<GridContactDetector>(1e-3);
+    modules.force_providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
+    modules.constraints.push_back(std::make_unique<PrescribedMotion>(std::move(constraint)));
+    return {std::move(model), std::move(modules), {.masses = Masses::scaled}};
+  }
+
+  [[nodiscard]] const State& state() const { return simulation.state(); }
+  [[nodiscard]] double pull() const { return -state().particle_contacts.normal_force[0]; }
+  [[nodiscard]] double extension() const { return state().particles.translation.displacement.back().x; }
+  [[nodiscard]] double area() const { return state().particle_contacts.area[0]; }
+  [[nodiscard]] double stiffness() const { return state().particle_contacts.normal_stiffness[0]; }
+};
+
+/// Force of the one-fourth curve at an opening, per area (Pa).
+double softened_strength(double w) {
+  const double kink = 0.75 * fracture_energy / strength;
+  const double end = 5.0 * fracture_energy / strength;
+  if (w <= kink) return strength * (1.0 - 0.75 * w / kink);
+  return w >= end ? 0.0 : 0.25 * strength * (end - w) / (end - kink);
+}
+
+}  // namespace
+
+TEST_CASE("a bond that is pulled apart in increments follows its curve and spends G A, nothing else") {
+  Row row(2, 120e-6);
+  while (row.state().clock.time < 1.0 - 1e-9) {
+    REQUIRE(row.simulation.advance());
+    const double w = row.extension() - row.pull() / row.stiffness();
+    if (row.extension() * row.stiffness() > 1.001 * strength * row.area()) {
+      CHECK(row.pull() == doctest::Approx(softened_strength(w) * row.area()).epsilon(1e-9));
+    } else {
+      CHECK(row.pull() == doctest::Approx(row.stiffness() * row.extension()).epsilon(1e-9));
+    }
+    row.simulation.audit();
+  }
+  CHECK(row.state().clock.step == 120);
+  CHECK(row.state().particle_contacts.bond[0] == BondState::broken);
+  CHECK(energy(row.simulation, "fracture_tension") == doctest::Approx(fracture_energy * row.area()).epsilon(1e-10));
+  // A softening curve of straight lines is not integrated exactly where an increment holds its peak, kink or end.
+  CHECK(energy(row.simulation, "prescribed_motions") == doctest::Approx(fracture_energy * row.area()).epsilon(2e-3));
+  CHECK(row.state().ledger.largest_error < 1e-5);
+}
+
+TEST_CASE("a row that must snap sets the energy free that its bonds store beyond what the break takes") {
+  // Thirty springs in series store more at the strength than one bond takes to break.
+  constexpr int n_bonds = 200;
+  Row row(n_bonds + 1, 1.2 * n_bonds * 2e-6);
+  double stored = 0.0;
+  double work = 0.0;
+  while (row.state().clock.time < 1.0 - 1e-9) {
+    const double before = energy(row.simulation, "elastic_contacts");
+    const double pull_before = row.pull();
+    REQUIRE(row.simulation.advance());
+    row.simulation.audit();
+    if (row.pull() < 0.5 * pull_before && stored == 0.0) {
+      stored = before;
+      work = 0.5 * (pull_before + row.pull()) * 1e-6;
+    }
+  }
+  REQUIRE(stored > 0.0);
+  const double spent = fracture_energy * row.area();
+  CHECK(energy(row.simulation, "fracture_tension") == doctest::Approx(spent).epsilon(1e-6));
+  CHECK(energy(row.simulation, "released") == doctest::Approx(stored + work - spent).epsilon(1e-3));
+  CHECK(energy(row.simulation, "released") > 0.0);
+  CHECK(row.state().ledger.largest_error < 1e-4);
+}
+
+TEST_CASE("an increment without equilibrium within its limits leaves the last one as it was") {
+  Row row(21, 20e-6, {}, "most_evaluations", std::int64_t{10});
+  State before = row.state();
+  const bool found = row.simulation.advance();
+  CHECK_FALSE(found);
+  CHECK(row.state().clock.step == before.clock.step);
+  CHECK(row.state().clock.time == before.clock.time);
+  CHECK(row.state().particle_contacts.opening == before.particle_contacts.opening);
+  CHECK(row.state().particles.translation.displacement == before.particles.translation.displacement);
+}
+
+TEST_CASE("unloading and loading again within the elastic range comes back without a loss") {
+  Row row(11, 0.0, {{.velocity = 5e-6, .stop_time = 1.0}, {.stage = 2, .velocity = -5e-6, .stop_time = 1.0}});
+  while (row.state().clock.time < 1.0 - 1e-9) REQUIRE(row.simulation.advance());
+  const double pull = row.pull();
+  CHECK(pull == doctest::Approx(0.1 * row.stiffness() * 5e-6).epsilon(1e-6));
+  row.simulation.finish_stage({});
+  while (row.state().clock.time < 2.0 - 1e-9) REQUIRE(row.simulation.advance());
+  CHECK(row.state().clock.step == 10);
+  CHECK(std::abs(row.pull()) < 1e-6 * pull);
+  CHECK(std::abs(energy(row.simulation, "prescribed_motions")) < 1e-6 * pull * 5e-6);
+}
+
+TEST_CASE("an elastic structure under loads in increments comes to the direct solution") {
+  Case input = read_case(LIGAMENT_SOURCE_DIR "/config/column_hexagonal_h2.toml",
+                         {"solver.method=quasi_static", "solver.increment=\"1 um\"",
+                          "solver.unbalanced_force_ratio=1e-9", "solver.force_mismatch=1e-9", "solver.load_steps=4",
+                          "load.right_end_corners.rise_time=\"1 s\"", "load.right_end_inside.rise_time=\"1 s\""});
+  Simulation simulation = build_simulation(input).simulation;
+  for (int i = 0; i < 4; ++i) {
+    REQUIRE(simulation.advance());
+    simulation.audit();
+  }
+  CHECK(simulation.state().clock.time == doctest::Approx(1.0));
+  CHECK(simulation.state().ledger.largest_error < 1e-7);
+  Field<Vector> loads(simulation.model().nodes.size());
+  for (const auto& [table, view] : input.loads) {
+    for (const std::int64_t number : table.bodies.nodes) {
+      loads[row_of_id(simulation.model().nodes.id, number)] = to_vector(table.force);
+    }
+  }
+  const auto direct = reference::solve_directly(simulation.model(), simulation.state(), loads);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    CHECK(norm(simulation.state().nodes.translation.displacement[i] - direct.node_displacement[i]) < 1e-6 * 2.4e-6);
+  }
+}

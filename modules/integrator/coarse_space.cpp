@@ -166,7 +166,7 @@ void CoarseSpace::assemble(const StiffnessSum& stiffness, std::size_t n_coarse) 
   // Corners without a body around them would leave the matrix singular.
   double largest = 0.0;
   for (std::size_t i = 0; i < size(); ++i) largest = std::max(largest, stiffness_.at(i, i));
-  for (std::size_t i = 0; i < size(); ++i) stiffness_.at(i, i) += 1e-10 * largest;
+  for (std::size_t i = 0; i < size(); ++i) stiffness_.at(i, i) += largest > 0.0 ? 1e-10 * largest : 1.0;
   stiffness_.factorize();
 }
 

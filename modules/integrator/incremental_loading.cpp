@@ -216,7 +216,9 @@ bool IncrementalLoading::is_settled(const Model& model, const State& state, cons
                    });
   const double peak = std::max(state.loading.peak_force, through_force_);
   if (!(norm(lacking) <= force_mismatch_ * peak)) return false;
-  return measure_unbalance(model, state, evaluation.internal()).ratio() <= unbalanced_ratio_;
+  const Unbalance unbalance = measure_unbalance(model, state, evaluation.internal());
+  // What has come apart carries hardly any force to compare with.
+  return unbalance.largest_resultant <= unbalanced_ratio_ * std::max(unbalance.mean_force, force_mismatch_ * peak);
 }
 
 void IncrementalLoading::accept(const Model& model, State& state, const ForceEvaluation& evaluation, double step) {
@@ -273,8 +275,9 @@ IncrementalLoading::Work IncrementalLoading::line_work(const Model& model, State
                        std::abs(state.ledger.total(ledger_lines::applied_loads)) + std::abs(end.of_prescribed()) +
                        std::abs(end.of_loads);
   constexpr double tolerance = 1e-6;
-  const Work work = line_integral(
-      begin, end, rate_at, [](const Work& value) { return value.of_free; }, tolerance * scale);
+  // What counts is the work of internal forces, which contacts and elements store or spend.
+  const auto internal = [](const Work& value) { return value.of_all - value.of_loads; };
+  const Work work = line_integral(begin, end, rate_at, internal, tolerance * scale);
   state.clock.time = time;
   state.particles = particles;
   state.nodes = nodes;

@@ -195,6 +195,10 @@ ParameterHandle Parameters::number(std::string name, std::optional<double>& memb
   return ParameterHandle(add(bound(ParameterKind::number, std::move(name), member, {}, std::move(description))));
 }
 
+ParameterHandle Parameters::numbers(std::string name, std::vector<double>& member, std::string description) {
+  return ParameterHandle(add(bound(ParameterKind::numbers, std::move(name), member, {}, std::move(description))));
+}
+
 ParameterHandle Parameters::integer(std::string name, std::int64_t& member, std::string description) {
   return ParameterHandle(add(bound(ParameterKind::integer, std::move(name), member, {}, std::move(description))));
 }

@@ -26,6 +26,7 @@ enum class ParameterKind {
   quantities,
   point,
   number,
+  numbers,
   integer,
   integers,
   boolean,
@@ -125,6 +126,7 @@ class Parameters {
   /// A number without dimension.
   ParameterHandle number(std::string name, double& member, std::string description);
   ParameterHandle number(std::string name, std::optional<double>& member, std::string description);
+  ParameterHandle numbers(std::string name, std::vector<double>& member, std::string description);
   ParameterHandle integer(std::string name, std::int64_t& member, std::string description);
   ParameterHandle integer(std::string name, std::optional<std::int64_t>& member, std::string description);
   ParameterHandle integers(std::string name, std::vector<std::int64_t>& member, std::string description);

@@ -10,11 +10,10 @@
 #include "core/error.hpp"
 #include "core/parameters.hpp"
 #include "generation/contact_report.hpp"
-#include "generation/disc_insertion.hpp"
+#include "generation/disc_growth.hpp"
 #include "generation/packing_report.hpp"
 #include "generation/particle_limit.hpp"
 #include "generation/random_numbers.hpp"
-#include "generation/soft_discs.hpp"
 #include "generation/spatial_order.hpp"
 
 namespace ligament {
@@ -24,35 +23,6 @@ namespace {
 constexpr double largest_area_ratio = 1.5;
 
 double disc_area(double radius) { return std::numbers::pi * radius * radius; }
-
-Field<double> scaled(const Field<double>& radii, double factor) {
-  Field<double> result = radii;
-  for (double& radius : result) radius *= factor;
-  return result;
-}
-
-/// Throws the discs into the box [0, size] at a part of their size.
-Packing insert_small(const Field<double>& radii, double part, const Vector& size, RandomNumbers& random) {
-  Packing packing{insert_discs(scaled(radii, part), size, random), radii, {}};
-  sort_spatially(packing);
-  return packing;
-}
-
-/// Lets the discs grow to their size and come to rest.
-void grow(Packing& packing, double part, const Vector& size) {
-  constexpr int n_growths = 12;
-  constexpr double coarse_tolerance = 0.1;
-  constexpr int coarse_steps = 50;
-  constexpr double tolerance = 1e-4;
-  constexpr int most_steps = 20000;
-  SoftDiscs discs(std::move(packing.position), size);
-  for (int growth = 1; growth < n_growths; ++growth) {
-    const double grown = part + (1.0 - part) * growth / n_growths;
-    discs.relax(scaled(packing.radius, grown), coarse_tolerance, coarse_steps);
-  }
-  discs.relax(packing.radius, tolerance, most_steps);
-  packing.position = discs.centres();
-}
 
 }  // namespace
 
@@ -78,9 +48,7 @@ Packing RandomAssembly::generate(const Rectangle& region, std::uint64_t seed) co
   const Vector size = region.size();
   check(size);
   RandomNumbers random(seed);
-  constexpr double inserted_part = 0.4;
-  Packing packing = insert_small(draw_radii(size.x * size.y, random), inserted_part, size, random);
-  grow(packing, inserted_part, size);
+  Packing packing = grow_discs(draw_radii(size.x * size.y, random), size, random);
   for (Vector& centre : packing.position) centre += region.from;
   sort_spatially(packing);  // so that the sums of the report are those of the particles as they will be numbered
   packing.report = report(packing, region);

@@ -1,5 +1,6 @@
 #include "generation/register_generators.hpp"
 
+#include "generation/graded_assembly.hpp"
 #include "generation/hexagonal.hpp"
 #include "generation/random_assembly.hpp"
 
@@ -11,6 +12,8 @@ Registry<Generator> generators() {
           [] { return std::make_unique<Hexagonal>(); });
   all.add("random", "discs of random radii, grown and squeezed until their overlaps are even",
           [] { return std::make_unique<RandomAssembly>(); });
+  all.add("graded", "concrete: grains by a grading curve, squeezed into the zone, and discs in the voids between them",
+          [] { return std::make_unique<GradedAssembly>(); });
   return all;
 }
 

@@ -32,6 +32,8 @@ class ValueReader {
       case ParameterKind::quantities:
       case ParameterKind::point:
         return widened(items<double>(node, fmt::format("quantities in {}", parameter_.unit), &ValueReader::quantity));
+      case ParameterKind::numbers:
+        return widened(items<double>(node, "numbers", &ValueReader::number));
       case ParameterKind::integers:
         return widened(items<std::int64_t>(node, "integers", &ValueReader::integer));
       case ParameterKind::texts:

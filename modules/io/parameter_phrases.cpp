@@ -37,6 +37,8 @@ std::string kind_phrase(const Parameter& parameter) {
       return "point [x, y] in " + parameter.unit;
     case ParameterKind::number:
       return "number";
+    case ParameterKind::numbers:
+      return "list of numbers";
     case ParameterKind::integer:
       return "integer";
     case ParameterKind::integers:

@@ -55,6 +55,8 @@ Json value_schema(const Parameter& parameter) {
       return list_schema(parameter, "string");
     case ParameterKind::number:
       return item_schema(parameter, "number");
+    case ParameterKind::numbers:
+      return list_schema(parameter, "number");
     case ParameterKind::integer:
       return item_schema(parameter, "integer");
     case ParameterKind::integers:

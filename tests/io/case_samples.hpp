@@ -66,10 +66,12 @@ struct Support {
 struct Mesh {
   std::vector<double> x;
   std::vector<std::int64_t> nodes{1, 2};
+  std::vector<double> shares{0.25, 0.75};
 
   void declare(ligament::Parameters& parameters) {
     parameters.quantities("x", x, "m", "Columns.").length_at_least(2);
     parameters.integers("nodes", nodes, "Nodes.").at_least(1);
+    parameters.numbers("shares", shares, "Shares.").at_most(1.0);
   }
 };
 

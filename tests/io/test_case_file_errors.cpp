@@ -82,6 +82,16 @@ TEST_CASE("lists complain about the item concerned") {
         "case.toml:2:13: item 2 of 'fix' is 'z', but must be one of 'x', 'y'");
 }
 
+TEST_CASE("lists of numbers take whole ones, and no units") {
+  CHECK(errors_in<samples::Mesh>("mesh", "[mesh]\nshares = [1, 0.5]\n").empty());
+  CHECK(errors_in<samples::Mesh>("mesh", "[mesh]\nshares = [0.5, 2]\n") ==
+        "case.toml:2:16: item 2 of 'shares' is 2, but must be at most 1");
+  CHECK(errors_in<samples::Mesh>("mesh", "[mesh]\nshares = [\"1 m\"]\n") ==
+        "case.toml:2:11: item 1 of 'shares' must be a number without unit, not a string");
+  CHECK(errors_in<samples::Mesh>("mesh", "[mesh]\nshares = 0.5\n") ==
+        "case.toml:2:10: 'shares' must be a list of numbers, not a number");
+}
+
 TEST_CASE("missing keys and tables") {
   CHECK(errors_in<samples::Material>("m", "title = 1\n[m]\nlaw = \"a\"\n")
             .find("case.toml:2:1: missing key 'young_modulus' in [m]") != std::string::npos);

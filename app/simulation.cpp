@@ -57,6 +57,7 @@ Simulation::Simulation(Model model, Modules modules, TimeStepChoice time_step)
   prepare_state();
   choose_time_step();
   if (is_quasi_static()) {
+    IncrementalLoading::open_lines(state_.ledger);
     modules_.loading->use_stiffness(model_, state_, stiffness());
     add_forces();
     return;

@@ -79,6 +79,12 @@ void IncrementalLoading::use_stiffness(const Model& model, const State& state, c
   free_ = free_mask(model);
 }
 
+void IncrementalLoading::open_lines(EnergyLedger& ledger) {
+  for (const char* line : {ledger_lines::prescribed_motions, ledger_lines::applied_loads, released_line}) {
+    ledger.open(line);
+  }
+}
+
 bool IncrementalLoading::advance(const Model& model, State& state, const ForceEvaluation& evaluation) {
   begin(model, state, evaluation);
   const double wanted = wanted_step(state);

@@ -31,6 +31,9 @@ class IncrementalLoading : public EnergySource {
   /// Makes the masses, from those of the state.
   void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness);
 
+  /// Opens its lines of the ledger.
+  static void open_lines(EnergyLedger& ledger);
+
   /// Goes to the next state of equilibrium of the present stage: clock, displacements, contacts, ledger. False if there
   /// is none within its limits; the state is then the last equilibrium.
   bool advance(const Model& model, State& state, const ForceEvaluation& evaluation);

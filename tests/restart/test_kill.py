@@ -7,7 +7,7 @@ import signal
 import time
 import unittest
 
-from program import COLUMNS, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, ProgramTest, settings
+from program import COLUMNS, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, TENSION, ProgramTest, settings
 
 EVERYTHING_AT_EVERY_STEP = settings(checkpoint__every=1, output__every=1, output__fields_every=20)
 
@@ -53,6 +53,9 @@ class Kill(ProgramTest):
                 self.kill_and_resume(options, NOT_CONVERGED, n_kills=20, seed=number)
             shutil.rmtree(self.folder)
             self.folder.mkdir()
+
+    def test_bonds_that_break_under_increments_of_loading(self):
+        self.kill_and_resume([TENSION, "--quiet", *EVERYTHING_AT_EVERY_STEP], DONE, n_kills=20, seed=20)
 
     def test_contacts_that_come_and_go(self):
         options = [FALLING_BLOCK, "--quiet", *settings(solver__max_steps=600), *EVERYTHING_AT_EVERY_STEP]

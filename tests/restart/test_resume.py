@@ -3,7 +3,7 @@
 
 import unittest
 
-from program import COLUMNS, CONFIG, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, WRONG_INPUT, ProgramTest, settings
+from program import COLUMNS, CONFIG, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, TENSION, WRONG_INPUT, ProgramTest, settings
 
 CASES = [*COLUMNS, FALLING_BLOCK]
 
@@ -56,6 +56,18 @@ class Resume(ProgramTest):
         self.assertEqual(self.final_hash("pieces"), self.final_hash("whole"))
         self.assertEqual(self.summary("pieces")["results"], self.summary("whole")["results"])
         self.assert_same_results("pieces", "whole")
+
+    def test_increments_of_loading_survive_a_stop_while_bonds_soften_and_break(self):
+        self.call("run", TENSION, "--output", "whole", "--quiet")
+        self.call("run", TENSION, "--output", "pieces", "--quiet", "--stop-after-steps", 1)
+        for step in (9, 10, 11, 15, 16, 35, 36, 37, 50):
+            self.call("resume", "pieces", "--quiet", "--until-step", step)
+            self.assertEqual(self.summary("pieces")["steps"], step)
+        self.call("resume", "pieces", "--quiet", "--threads", 2)
+        self.assertEqual(self.final_hash("pieces"), self.final_hash("whole"))
+        self.assertEqual(self.summary("pieces")["peak_load_N"], self.summary("whole")["peak_load_N"])
+        self.assert_same_results("pieces", "whole")
+        self.assertGreater(self.summary("whole")["n_broken"], 0)
 
     def test_what_is_written_when_changes_no_bit_of_the_run(self):
         schedules = [

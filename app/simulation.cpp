@@ -83,7 +83,8 @@ void Simulation::finish_stage(const std::vector<double>& readings) {
             stage.readings.begin() + (stage.number - 1) * static_cast<std::ptrdiff_t>(readings.size()));
   ++stage.number;
   stage.begin_step = state_.clock.step;
-  stage.begin_time = state_.clock.time;
+  // The velocities of the step ahead are those of the stage before.
+  stage.begin_time = state_.clock.time + state_.clock.time_step;
 }
 
 double Simulation::audit() {

@@ -109,7 +109,8 @@ void Simulation::finish_stage(const std::vector<double>& readings) {
             stage.readings.begin() + (stage.number - 1) * static_cast<std::ptrdiff_t>(readings.size()));
   ++stage.number;
   stage.begin_step = state_.clock.step;
-  stage.begin_time = state_.clock.time;
+  // The velocities of the step ahead are those of the stage before; increments have none.
+  stage.begin_time = state_.clock.time + (is_quasi_static() ? 0.0 : state_.clock.time_step);
   state_.loading.direction.clear();
 }
 

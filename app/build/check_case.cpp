@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "build/check_loading.hpp"
 #include "contact/contact_stiffness.hpp"
 #include "core/closest_name.hpp"
 #include "mesh/structured_mesh.hpp"
@@ -63,6 +64,19 @@ void check_lines(Case& input, const char* key, const std::vector<double>& lines)
   input.file.add_error(input.file.position(view, key), fmt::format("'{}' must ascend {}", key, view.where()));
 }
 
+/// A grid that no machine of today could step is better told than tried.
+void check_mesh_size(Case& input) {
+  constexpr double most = 2e7;
+  constexpr double bytes_per_element = 700.0;  // with its nodes
+  const MeshTable& mesh = input.mesh->table;
+  const double count = static_cast<double>(mesh.x.size() - 1) * static_cast<double>(mesh.y.size() - 1);
+  if (count <= most) return;
+  input.file.add_error(input.file.position(input.mesh->view),
+                       fmt::format("this would make {:.3g} elements, which take some {:.3g} GB, and the limit is "
+                                   "{:.0g} elements: fewer grid lines would do",
+                                   count, 1e-9 * bytes_per_element * count, most));
+}
+
 void check_mesh(Case& input) {
   if (!input.mesh) return;
   const MeshTable& mesh = input.mesh->table;
@@ -70,6 +84,7 @@ void check_mesh(Case& input) {
   check_lines(input, "y", mesh.y);
   check_material_name(input, input.mesh->view, "material", mesh.material);
   check_density(input, mesh.material);
+  check_mesh_size(input);
 }
 
 bool overlap(const ZoneTable& a, const ZoneTable& b) {
@@ -115,44 +130,12 @@ void check_zones(Case& input) {
   }
 }
 
-/// Whether a wall has points inside a zone, off its border (after Liang and Barsky).
-bool runs_through(const WallTable& wall, const ZoneTable& zone) {
-  const Vector from = to_vector(wall.from);
-  const Vector along = to_vector(wall.to) - from;
-  double enter = 0.0;
-  double leave = 1.0;
-  for (int axis = 0; axis < dimension; ++axis) {
-    const double tolerance = 1e-9 * (zone.to[axis] - zone.from[axis]);
-    const double low = zone.from[axis] + tolerance - component(from, axis);
-    const double high = zone.to[axis] - tolerance - component(from, axis);
-    const double length = component(along, axis);
-    if (length == 0.0) {
-      if (low > 0.0 || high < 0.0) return false;
-      continue;
-    }
-    enter = std::max(enter, std::min(low / length, high / length));
-    leave = std::min(leave, std::max(low / length, high / length));
-  }
-  return enter < leave;
-}
-
-void check_walls(Case& input) {
-  for (const auto& [wall, view] : input.walls) {
-    for (const auto& zone : input.zones) {
-      if (!runs_through(wall, zone.table)) continue;
-      input.file.add_error(input.file.position(view, "from"),
-                           fmt::format("the wall runs through zone '{}' {}: it may touch its border, no more",
-                                       zone.table.name, view.where()));
-    }
-  }
-}
-
 }  // namespace
 
 void check_case(Case& input) {
   check_mesh(input);
   check_zones(input);
-  check_walls(input);
+  check_loading(input);
   if (!input.mesh && input.zones.empty()) {
     input.file.add_error({}, "there is nothing to calculate: give a [mesh], a [[zone]], or both");
   }

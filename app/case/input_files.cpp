@@ -14,6 +14,7 @@ std::filesystem::path InputFiles::location(const std::string& path) const {
 
 const std::string& InputFiles::content(const std::string& path) {
   if (const auto known = contents_.find(path); known != contents_.end()) return known->second;
+  if (path.empty()) throw InputError("'path' is empty: it names no file");
   const std::filesystem::path place = location(path);
   if (!std::filesystem::exists(place)) throw InputError(fmt::format("{}: there is no such file", place.string()));
   if (!std::filesystem::is_regular_file(place)) throw InputError(fmt::format("{}: is no file", place.string()));

@@ -29,8 +29,11 @@ bool contains(const Rectangle& region, const Vector& place) {
 std::string complaint(const Vector& centre, double radius, const Rectangle& region) {
   if (!is_finite(centre) || !std::isfinite(radius)) return "has a number that is not finite";
   if (radius <= 0.0) return fmt::format("has a radius of {} m, which must be greater than 0 m", radius);
-  if (contains(region, centre)) return {};
-  return fmt::format("has its centre at ({}, {}) m, outside of the zone", centre.x, centre.y);
+  if (!contains(region, centre)) {
+    return fmt::format("has its centre at ({}, {}) m, outside of the zone", centre.x, centre.y);
+  }
+  if (2.0 * radius <= largest_component(region.size())) return {};
+  return fmt::format("has a radius of {} m: its disc is larger than the zone", radius);
 }
 
 /// Throws InputError if two discs have the same centre: no direction leads from one to the other.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -93,6 +94,8 @@ ExitCode resume(const ResumeOptions& options) {
   return with_log(console, directory, [&] { return runner.resume(); });
 }
 
+CLI::Range steps_range() { return CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()); }
+
 void add_threads_option(CLI::App& command, int& n_threads) {
   command.add_option("--threads", n_threads, "number of threads; the results do not depend on it; default 1")
       ->check(CLI::Range(1, 1024));
@@ -112,7 +115,7 @@ void add_run_command(CLI::App& app, Action& action) {
       ->take_all()
       ->allow_extra_args(false);
   command->add_option("--stop-after-steps", options->stop_after_steps, "stop at this step, with a checkpoint")
-      ->check(CLI::NonNegativeNumber);
+      ->check(steps_range());
   add_threads_option(*command, options->n_threads);
   command->callback([options, &action] { action = [options] { return run(*options); }; });
 }
@@ -123,7 +126,7 @@ void add_resume_command(CLI::App& app, Action& action) {
   command->add_option("run_directory", options->directory, "directory of the run")->required()->type_name("DIR");
   command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
   command->add_option("--until-step", options->until_step, "stop at this step, with a checkpoint")
-      ->check(CLI::NonNegativeNumber);
+      ->check(steps_range());
   add_threads_option(*command, options->n_threads);
   command->callback([options, &action] { action = [options] { return resume(*options); }; });
 }

@@ -7,6 +7,24 @@
 #include <tuple>
 
 namespace ligament {
+namespace {
+
+/// A message as a terminal can take it, whatever it quotes: control characters as '?', the middle of long ones left
+/// out.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+  constexpr std::size_t longest = 1000;
+  if (text.size() <= longest) return text;
+  const auto is_inside_character = [&](std::size_t i) { return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80; };
+  std::size_t head = longest / 2;
+  while (is_inside_character(head)) --head;
+  std::size_t tail = text.size() - longest / 2;
+  while (tail < text.size() && is_inside_character(tail)) ++tail;
+  return text.substr(0, head) + " … " + text.substr(tail);
+}
+
+}  // namespace
 
 void CaseErrors::add(SourcePosition position, std::string message) {
   const bool is_known = std::any_of(errors_.begin(), errors_.end(), [&](const Item& item) {
@@ -24,7 +42,9 @@ std::string CaseErrors::text(std::string_view file_name) const {
   };
   std::stable_sort(sorted.begin(), sorted.end(), [&](const Item& a, const Item& b) { return rank(a) < rank(b); });
   std::vector<std::string> lines;
-  for (const Item& item : sorted) lines.push_back(fmt::format("{}: {}", item.position.text(file_name), item.message));
+  for (const Item& item : sorted) {
+    lines.push_back(printable(fmt::format("{}: {}", item.position.text(file_name), item.message)));
+  }
   return fmt::format("{}", fmt::join(lines, "\n"));
 }
 

@@ -72,9 +72,24 @@ std::string explained(const toml::parse_error& error) {
   return "syntax error: " + text;
 }
 
+/// Throws InputError for keys of a great many parts, a.b.c…: the parser nests tables for them until the stack is full.
+void check_dotted_keys(std::string_view text, std::string_view file_name) {
+  constexpr int most_points = 1000;
+  int n_points = 0;
+  std::size_t line = 1;
+  for (const char c : text) {
+    if (c == '\n') ++line;
+    n_points = c == '\n' || c == '=' ? 0 : n_points + (c == '.' ? 1 : 0);
+    if (n_points <= most_points) continue;
+    throw InputError(fmt::format("{}:{}:1: more than {} points without a '=' between them: no case file has such keys",
+                                 file_name, line, most_points));
+  }
+}
+
 }  // namespace
 
 CaseNode parse_toml(std::string_view text, std::string_view file_name) {
+  check_dotted_keys(text, file_name);
   try {
     CaseNode root = converted(toml::parse(text, file_name));
     if (std::get<CaseNode::Table>(root.value).empty()) {

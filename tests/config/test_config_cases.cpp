@@ -23,6 +23,14 @@ std::vector<fs::path> cases(const std::string& prefix = "") {
   return paths;
 }
 
+/// The variants of the paper's column that come to rest: those with its eight gauges and a damped method.
+std::vector<fs::path> columns_at_rest() {
+  std::vector<fs::path> paths = cases("column_");
+  std::erase_if(paths, [](const fs::path& path) { return path.stem() == "column_energy"; });
+  REQUIRE(paths.size() == 5);
+  return paths;
+}
+
 nlohmann::json summary_of(const Workplace& place) {
   return nlohmann::json::parse(content_of(place / "run/summary.json"));
 }
@@ -59,7 +67,7 @@ TEST_CASE("every case is right and takes its first 200 steps with all audits on"
 }
 
 TEST_CASE("the columns converge") {
-  for (const fs::path& path : cases("column_")) {
+  for (const fs::path& path : columns_at_rest()) {
     CAPTURE(path);
     const Workplace place;
     const Finished run = place.run({"run", path, "--output", "run"});
@@ -73,6 +81,7 @@ TEST_CASE("the columns converge") {
     CHECK(summary.at("energy_error").get<double>() < 1e-8);
     CHECK(summary.at("force_mismatch_max").get<double>() < 1e-4);
     CHECK(summary.at("unbalanced_force_ratio").get<double>() <= 1e-6);
+    CHECK(summary.at("steps").get<long>() <= 300);
     CHECK(summary.at("final_state_hash").get<std::string>().size() == 32);
 
     const ligament::CsvContent history = ligament::read_csv(place / "run/history.csv");
@@ -90,7 +99,7 @@ TEST_CASE("the columns converge") {
 }
 
 TEST_CASE("the columns carry their load to the support") {
-  for (const fs::path& path : cases("column_")) {
+  for (const fs::path& path : columns_at_rest()) {
     CAPTURE(path);
     const Workplace place;
     REQUIRE(place.run({"run", path, "--output", "run", "--set", "audit.every_step=true"}).code == 0);
@@ -107,6 +116,26 @@ TEST_CASE("the columns carry their load to the support") {
   }
 }
 
+TEST_CASE("the column under a sudden load keeps its energy") {
+  const Workplace place;
+  const Finished run = place.run({"run", LIGAMENT_SOURCE_DIR "/config/column_energy.toml", "--output", "run"});
+  CHECK(run.code == 0);
+  const auto summary = summary_of(place);
+  check_names(summary);
+  CHECK(summary.at("ended") == "completed");
+  CHECK(summary.at("steps") == 5000);
+  CHECK(summary.at("audit") == "passed");
+  CHECK(summary.at("energy_error").get<double>() < 1e-8);
+
+  const ligament::CsvContent energy = ligament::read_csv(place / "run/energy.csv");
+  CHECK(energy.rows.size() == 101);
+  const auto at_end = [&](const std::string& name) { return energy.numbers(name + "_J").back(); };
+  // The load does not rest: a good part of its work is motion, and nothing takes any.
+  CHECK(at_end("kinetic_particles") + at_end("kinetic_nodes") > 0.0);
+  CHECK(at_end("damping") == 0.0);
+  CHECK(at_end("applied_loads") > 0.0);
+}
+
 TEST_CASE("the numbers of bodies of the columns are those of the paper") {
   const auto sizes = [](const std::string& name) {
     const Finished check = Workplace().run({"check", LIGAMENT_SOURCE_DIR "/config/" + name});
@@ -119,14 +148,15 @@ TEST_CASE("the numbers of bodies of the columns are those of the paper") {
   CHECK(contains(sizes("column_random_r2.toml"), "773 particles"));
 }
 
-TEST_CASE("hexagonal assemblies between walls have the elastic constants of the paper's Table 1") {
+TEST_CASE("assemblies between walls have the elastic constants of the paper's Table 1") {
   struct Target {
     const char* name;
     double young_modulus;
     double poisson_ratio;
   };
-  // Means of both directions.
-  for (const Target& target : {Target{"h1", 19.93e9, 0.194}, {"h2", 20.10e9, 0.196}}) {
+  // Means of both directions. Those of a random assembly are met by the mean of several seeds: here is one of them.
+  for (const Target& target :
+       {Target{"h1", 19.93e9, 0.194}, {"h2", 20.10e9, 0.196}, {"r1", 20.05e9, 0.1875}, {"r2", 19.855e9, 0.1995}}) {
     CAPTURE(target.name);
     const Workplace place;
     const std::string path = LIGAMENT_SOURCE_DIR "/config/assembly_properties_" + std::string(target.name) + ".toml";
@@ -138,9 +168,12 @@ TEST_CASE("hexagonal assemblies between walls have the elastic constants of the 
       return 0.5 *
              (results.at(quantity + "_x" + unit).get<double>() + results.at(quantity + "_y" + unit).get<double>());
     };
+    // The region of a random assembly is a sample of it, no more than that.
+    const bool is_lattice = target.name[0] == 'h';
     for (const std::string prefix : {"", "region_"}) {
       CAPTURE(prefix);
-      CHECK(std::abs(mean(prefix + "young_modulus", "_Pa") / target.young_modulus - 1.0) < 0.03);
+      const double tolerance = is_lattice || prefix.empty() ? 0.03 : 0.06;
+      CHECK(std::abs(mean(prefix + "young_modulus", "_Pa") / target.young_modulus - 1.0) < tolerance);
       CHECK(std::abs(mean(prefix + "poisson_ratio", "") - target.poisson_ratio) < 0.015);
     }
   }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "../app/program.hpp"
 
@@ -30,7 +31,7 @@ inline std::string place_of(const std::string& part, const std::string& text) {
   return std::to_string(line) + ":" + std::to_string(place - line_begin + 1);
 }
 
-/// `run` and `check` must refuse the case with exactly this on the error output, and leave nothing behind.
+/// `run` and `check` must refuse the case with exactly this on the error output, soon, and leave nothing behind.
 inline void check_rejected(const std::string& text, const std::string& messages,
                            const std::vector<std::string>& options = {}) {
   const Workplace place;
@@ -38,7 +39,9 @@ inline void check_rejected(const std::string& text, const std::string& messages,
   for (const char* command : {"check", "run"}) {
     std::vector<std::string> arguments{command, "case.toml"};
     arguments.insert(arguments.end(), options.begin(), options.end());
+    const auto start = std::chrono::steady_clock::now();
     const Finished finished = place.run(arguments);
+    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
     CHECK(finished.err == messages + "\n");
     CHECK(finished.code == 2);
     CHECK(finished.out.empty());

@@ -35,11 +35,50 @@ TEST_CASE("tables of discs must fit the zone") {
   check_table(header + "1.7,1,0.1\n1.5,1,0.2\n", "rows 1 and 3 have the same centre");
   check_table(header + "1.5\n", "row 2 is '1.5', not three numbers between commas");
   check_table("x_m,y_m,radius_m\n", "holds no discs");
+  check_table(header + "1.5,1.5,1e300\n", "row 2 has a radius of 1e+300 m: its disc is larger than the zone");
+}
+
+TEST_CASE("tables that are damaged, or none") {
+  const auto none = [](const std::string& begin) {
+    return "is neither HDF5 nor a CSV file with the header 'x_m,y_m,radius_m' (it begins with '" + begin + "')";
+  };
+  check_table("", none(""));
+  check_table("1.5,1,0.1\n", none("1.5,1,0.1"));
+  check_table("x_m;y_m;radius_m\n1.5;1;0.1\n", none("x_m;y_m;radius_m"));
+  check_table("x_m,y_m,radius_m\n1.5,1,0.1,2\n", "row 1 is '1.5,1,0.1,2', not three numbers between commas");
+  check_table("x_m,y_m,radius_m\na,b,c\n", "row 1 is 'a,b,c', not three numbers between commas");
+  check_table("x_m,y_m,radius_m\n1e400,1,0.1\n", "row 1 is '1e400,1,0.1', not three numbers between commas");
+}
+
+TEST_CASE("HDF5 files that are damaged") {
+  const Workplace place;
+  const std::string text = edited(hexagonal, "generator = \"file\"\npath = \"discs.h5\"");
+  place.write("good.toml", good_case());
+  REQUIRE(place.run({"generate", "good.toml", "--output", "discs.h5"}).code == 0);
+  place.write("case.toml", text);
+  REQUIRE(place.run({"check", "case.toml"}).code == 0);
+
+  const std::string bytes = content_of(place / "discs.h5");
+  std::string spoilt_head = bytes;
+  spoilt_head.replace(40, 60, 60, '\xFF');
+  const std::string signature = bytes.substr(0, 8);
+  for (const std::string& content : {bytes.substr(0, bytes.size() / 2), signature, spoilt_head}) {
+    place.write("discs.h5", content);
+    const Finished finished = place.run({"run", "case.toml"});
+    CHECK(finished.code == 2);
+    CHECK(
+        finished.err.starts_with("case.toml:" + place_of("[[zone]]", text) + ": zone 'block': cannot read discs.h5: "));
+    CHECK(place.names().size() == 3);
+  }
 }
 
 TEST_CASE("files of assemblies that are not there") {
   check_edit(hexagonal, loaded, "zone 'block': discs.csv: there is no such file", "[[zone]]");
   check_edit(hexagonal, "generator = \"file\"\npath = \".\"", "zone 'block': .: is no file", "[[zone]]");
+  check_edit(hexagonal, "generator = \"file\"\npath = \"\"", "zone 'block': 'path' is empty: it names no file",
+             "[[zone]]");
+  check_edit(hexagonal, "generator = \"file\"\npath = \"/dev/zero\"", "zone 'block': /dev/zero: is no file",
+             "[[zone]]");
   check_edit(hexagonal, "generator = \"file\"", "missing key 'path' in [[zone]] 'block'", "[[zone]]");
 }
 

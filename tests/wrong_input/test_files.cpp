@@ -26,6 +26,33 @@ TEST_CASE("files that are no text") {
   check_rejected(std::string("\xFF\xFEt\0i\0", 6), "case.toml:1:1: the file is not UTF-8 text");
 }
 
+TEST_CASE("binary files") {
+  std::string bytes;
+  for (int value = 0; value < 256; ++value) bytes += static_cast<char>(value);
+  check_rejected(bytes,
+                 "case.toml:1:1: syntax error: error while parsing root table: expected keys, tables, whitespace or "
+                 "comments, saw '\\u0000'");
+  check_rejected(
+      "\x7F"
+      "ELF\x02\x01\x01\xC0",
+      "case.toml:1:7: the file is not UTF-8 text");
+}
+
+TEST_CASE("values and keys that are nested without end") {
+  const std::string depth =
+      ": syntax error: error while parsing value: exceeded maximum nested value depth of 256 (TOML_MAX_NESTED_VALUES)";
+  check_rejected("x = " + std::string(100'000, '['), "case.toml:1:261" + depth);
+  std::string inline_tables = "x = ";
+  for (int i = 0; i < 10'000; ++i) inline_tables += "{a=";
+  check_rejected(inline_tables, "case.toml:1:773" + depth);
+
+  std::string key = "a";
+  for (int i = 0; i < 100'000; ++i) key += ".a";
+  const std::string points = ":1: more than 1000 points without a '=' between them: no case file has such keys";
+  check_rejected(key + " = 1\n", "case.toml:1" + points);
+  check_rejected("\n[" + key + "]\n", "case.toml:2" + points);
+}
+
 TEST_CASE("syntax errors") {
   check_edit("[solver]", "[solver", "syntax error: error while parsing table header: expected ']', saw '\\n'",
              "\nmethod = \"dyn");

@@ -71,3 +71,48 @@ TEST_CASE("a table where an array of tables belongs, and the other way round") {
   check_edit("[[zone]]", "[zone]", "'zone' must be an array of tables, [[zone]], not a table");
   check_edit("[mesh]", "[[mesh]]", "'mesh' must be a table, [mesh], not an array of tables");
 }
+
+TEST_CASE("tables and keys that are given twice") {
+  check_edit("[solver]", "[problem]\nthickness = \"2 m\"\n\n[solver]",
+             "syntax error: error while parsing table header: cannot redefine existing table 'problem'",
+             "[problem]\nthickness = \"2 m\"");
+  check_edit("max_steps = 100", "max_steps = 100\nmax_steps = 200",
+             "syntax error: error while parsing key-value pair: cannot redefine existing integer 'max_steps'", "200");
+  const std::string wall = "[[wall]]\nname = \"floor\"\nfrom = [\"1 m\", \"0 m\"]\nto = [\"2 m\", \"0 m\"]\n\n";
+  const std::string text = edited("[[load]]", wall + wall + "[[load]]");
+  check_rejected(text, "case.toml:40:8: a second [[wall]] has the name 'floor'");
+}
+
+TEST_CASE("names that are empty or no text") {
+  check_edit("name = \"block\"", "name = \"\"", "the name '' may hold only letters, digits, '_' and '-'", "\"\"");
+  check_edit("name = \"block\"", "name = 5", "'name' must be a string, not an integer", "5\nfrom");
+  check_edit("[mesh]",
+             "[material.\"a.b\"]\nlaw = \"linear_elastic\"\nyoung_modulus = \"1 GPa\"\npoisson_ratio = 0.1\n[mesh]",
+             "the name 'a.b' of [material.*] may hold only letters, digits, '_' and '-'", "\"a.b\"");
+}
+
+TEST_CASE("empty lists") {
+  check_edit("x = [\"0 m\", \"1 m\", \"2 m\", \"3 m\"]", "x = []", "'x' has 0 items, but must have at least 2 items",
+             "[]");
+  check_edit("nodes = [4, 16]", "nodes = []", "no bodies in [[load]] 'tip': give 'at', 'nodes' or 'particles'",
+             "[[load]]");
+  check_edit("fix = [\"y\"]", "fix = []", "'fix' has 0 items, but must have at least 1 item", "[]");
+  check_edit("force = [\"1 kN\", \"0 N\"]", "force = []", "'force' has 0 items, but must have 2 items", "[]");
+  check_rejected("zone = []\nload = []\n[problem]\nthickness = \"1 m\"\n[solver]\nmax_steps = 1\n",
+                 "case.toml: there is nothing to calculate: give a [mesh], a [[zone]], or both");
+}
+
+TEST_CASE("values where tables belong, and the other way round") {
+  check_edit("[problem]\nthickness = \"1 m\"", "problem = \"thick\"",
+             "'problem' must be a table, [problem], not a string", "\"thick\"");
+  check_edit("[problem]\nthickness = \"1 m\"", "problem = [1]", "'problem' must be a table, [problem], not a list",
+             "[1]");
+  check_edit("title = ", "load = 3\ntitle = ",
+             "syntax error: error while parsing table header: cannot redefine existing integer 'load' as "
+             "array-of-tables",
+             "[[load]]");
+  check_edit("thickness = \"1 m\"", "thickness = { value = 1 }",
+             "'thickness' must be a quantity in m (such as \"5 mm\"), not a table", "{ value");
+  check_edit("thickness = \"1 m\"", "thickness = [\"1 m\"]",
+             "'thickness' must be a quantity in m (such as \"5 mm\"), not a list", "[\"1 m\"]");
+}

@@ -52,6 +52,13 @@ TEST_CASE("wrong types") {
   check_edit("fix = [\"y\"]", "fix = \"y\"", "'fix' must be a list of strings, not a string", "\"y\"");
   check_edit("force = [\"1 kN\", \"0 N\"]", "force = [\"1 kN\", \"0 N\", \"0 N\"]",
              "'force' has 3 items, but must have 2 items", "[\"1 kN\"");
+  check_edit("max_steps = 100", "max_steps = 2020-01-01", "'max_steps' must be an integer, not a date or time", "2020");
+  check_edit("nodes = [4, 16]", "nodes = \"4\"", "'nodes' must be a list of integers, not a string", "\"4\"");
+  check_edit("nodes = [4, 16]", "nodes = [4, \"16\"]", "item 2 of 'nodes' must be an integer, not a string", "\"16\"");
+  check_edit("nodes = [4, 16]", "nodes = [[4], 16]", "item 1 of 'nodes' must be an integer, not a list", "[4]");
+  check_edit("title = ", "title = 5 # ", "'title' must be a string, not an integer", "5 #");
+  check_edit("[solver]", "[audit]\nevery_step = 1\n\n[solver]",
+             "'every_step' must be a boolean (true or false), not an integer", "1\n\n[solver]");
 }
 
 TEST_CASE("names of what there is not") {

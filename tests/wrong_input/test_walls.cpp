@@ -62,6 +62,69 @@ TEST_CASE("stages follow each other in equilibrium") {
       "case.toml: stages of loading need 'unbalanced_force_ratio' in [solver]: a stage ends in equilibrium");
 }
 
+TEST_CASE("stages are numbered without gaps") {
+  const auto load = [](int stage) {
+    return "[[load]]\nname = \"later\"\nnodes = [16]\nforce = [\"1 kN\", \"0 N\"]\nstage = " + std::to_string(stage) +
+           "\n\n";
+  };
+  check_edit("[solver]", load(3) + "[solver]",
+             "stage 3 in [[load]] 'later' has no stage 2 before it: no [[load]] or [[motion]] has that number",
+             "3\n\n[solver]");
+  check_edit("[[load]]\n", "[[load]]\nstage = 2\n",
+             "stage 2 in [[load]] 'tip' has no stage 1 before it: no [[load]] or [[motion]] has that number",
+             "2\nname = \"tip\"");
+  check_edit("[solver]", load(0) + "[solver]", "'stage' is 0, but must be at least 1 and at most 1000",
+             "0\n\n[solver]");
+  check_edit("[solver]", load(1001) + "[solver]", "'stage' is 1001, but must be at least 1 and at most 1000",
+             "1001\n\n[solver]");
+}
+
+TEST_CASE("gravity alone may be the first stage") {
+  const std::string dense = edited("poisson_ratio = 0.2", "poisson_ratio = 0.2\ndensity = \"2400 kg/m3\"");
+  const std::string heavy = edited("[problem]", "[problem]\ngravity = [\"0 m/s2\", \"-9.81 m/s2\"]", dense);
+  const Workplace place;
+  place.write("case.toml", edited("[[load]]\n", "[[load]]\nstage = 2\n", heavy));
+  CHECK(place.run({"check", "case.toml"}).code == 0);
+}
+
+TEST_CASE("a wall has particles on one side") {
+  const std::string zone =
+      properties.substr(properties.find("[[zone]]"), properties.find("[solver]") - properties.find("[[zone]]"));
+  const std::string second = edited("\"1 m\", \"1 m\"", "\"2 m\", \"1 m\"",
+                                    edited("\"0 m\", \"0 m\"", "\"1 m\", \"0 m\"", edited("\"a\"", "\"b\"", zone)));
+  const std::string between = "[[wall]]\nname = \"between\"\nfrom = [\"1 m\", \"0.2 m\"]\nto = [\"1 m\", \"3 m\"]\n";
+  const std::string text =
+      edited("kind = \"assembly_properties\"\n", "", edited("[solver]", second + between + "[solver]", properties));
+  check_rejected(text,
+                 "case.toml:" + place_of("[\"1 m\", \"0.2 m\"]", text) +
+                     ": the wall has zone 'a' on one side and zone 'b' on the other in [[wall]] 'between': it may "
+                     "touch particles on one side only");
+}
+
+TEST_CASE("walls that cannot be, or that nothing can touch") {
+  check_wall_edit("from = [\"1 m\", \"0 m\"]\nto = [\"2 m\", \"0 m\"]\n\n",
+                  "from = [\"nan m\", \"0 m\"]\nto = [\"2 m\", \"0 m\"]\n\n",
+                  "item 1 of 'from': 'nan m' is not a finite number, one space and a unit: expected a quantity in m "
+                  "(such as \"5 mm\")",
+                  "\"nan m\"");
+  check_wall_edit("from = [\"1 m\", \"0 m\"]\nto = [\"2 m\", \"0 m\"]\n\n",
+                  "from = [\"1 m\", \"0 m\"]\nto = [\"2 m\", \"0 m\"]\nfriction_coefficient = -1\n\n",
+                  "'friction_coefficient' is -1, but must be at least 0", "-1\n");
+  const std::string good = good_case();
+  const std::string mesh_alone = good.substr(0, good.find("[[zone]]")) + good.substr(good.find("[[support]]"));
+  const std::string text = edited("[[load]]", wall + "[[load]]", mesh_alone);
+  check_rejected(text, "case.toml:" + place_of("[[wall]]", text) +
+                           ": there are no particles for the wall to touch in [[wall]] 'floor': give a [[zone]]");
+}
+
+TEST_CASE("walls that are not there") {
+  check_edit("{ node = 4, direction = \"x\" }", "{ wall = \"floor\", direction = \"x\" }",
+             "there is no wall 'floor' in [[gauge]] 'u' (there are: none)", "{ wall");
+  check_edit("[[load]]", motion + "[[load]]", "there is no wall 'floor' in [[motion]] 'lift' (there are: none)",
+             "[\"floor\"]");
+  check_edit("nodes = [1]", "walls = [\"floor\"]", "unknown key 'walls' in [[support]] 'corner'", "walls");
+}
+
 TEST_CASE("regions of gauges") {
   check_edit("displacement = { node = 4, direction = \"x\" }",
              "stress = { from = [\"1.5 m\", \"1 m\"], to = [\"1.2 m\", \"1.5 m\"], component = \"xx\" }",
@@ -69,6 +132,26 @@ TEST_CASE("regions of gauges") {
   check_edit("displacement = { node = 4, direction = \"x\" }",
              "strain = { from = [\"0 m\", \"0 m\"], to = [\"0.5 m\", \"0.5 m\"], component = \"xx\" }",
              "fewer than three particles are in the region in [[gauge]] 'u'", "{ from");
+  check_edit("displacement = { node = 4, direction = \"x\" }",
+             "stress = { from = [\"10 m\", \"10 m\"], to = [\"11 m\", \"11 m\"], component = \"xx\" }",
+             "fewer than three particles are in the region in [[gauge]] 'u'", "{ from");
+  check_edit("displacement = { node = 4, direction = \"x\" }",
+             "stress = { from = [\"1 m\", \"0 m\"], to = [\"2 m\", \"1 m\"], component = \"zz\" }",
+             "'component' is 'zz', but must be one of 'xx', 'yy', 'xy'", "\"zz\"");
+}
+
+TEST_CASE("how assembly properties are measured") {
+  const auto check = [](const std::string& line, const std::string& message) {
+    CAPTURE(line);
+    const std::string text = properties + "[properties]\n" + line + "\n";
+    check_rejected(text, "case.toml:18:" + std::to_string(line.find(" = ") + 4) + ": " + message);
+  };
+  check("strain = 0", "'strain' is 0, but must be greater than 0 and less than 0.01");
+  check("strain = -1e-5", "'strain' is -1e-05, but must be greater than 0 and less than 0.01");
+  check("strain = 0.01", "'strain' is 0.01, but must be greater than 0 and less than 0.01");
+  check("strain = nan", "'strain' is nan, but must be finite");
+  check("loading_time = \"-5 s\"", "'loading_time' is -5 s, but must be greater than 0 s");
+  check("margin = 0.5", "'margin' is 0.5, but must be at least 0 and less than 0.5");
 }
 
 TEST_CASE("the test of an assembly sets its own loads") {

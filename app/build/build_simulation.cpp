@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "build/build_gauges.hpp"
+#include "build/build_notches.hpp"
 #include "build/unsupported_bodies.hpp"
 #include "contact/contact_forces.hpp"
 #include "contact/grid_contact_detector.hpp"
@@ -65,6 +66,7 @@ BuiltSimulation build_simulation(Case& input) {
       .warnings = std::move(conditions.warnings),
   };
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
+  refuse_idle_notches(input, result.simulation.model());
   check_supports(input, result.simulation);
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "build/build_notches.hpp"
 #include "build/build_walls.hpp"
 #include "build/check_case.hpp"
 #include "build/generate_packings.hpp"
@@ -44,12 +45,22 @@ void add_mesh(const Case& input, Model& model) {
   const MeshTable& table = input.mesh->table;
   std::vector<Rectangle> holes;
   for (const auto& zone : input.zones) holes.push_back(rectangle_of(zone.table));
+  for (const Rectangle& element : take_elements(input, model.notches)) holes.push_back(element);
   StructuredMesh mesh = build_structured_mesh({table.x, table.y}, holes);
   model.nodes = std::move(mesh.nodes);
   model.elements = std::move(mesh.elements);
   model.elements.material.assign(model.elements.size(), material_row(model, table.material));
   model.facets = find_boundary_facets(model.elements);
   fill_element_properties(model);
+}
+
+/// Whether a slit takes a particle away. The first that does has it on its account.
+bool is_taken(std::vector<Notch>& notches, const Vector& centre) {
+  const auto taker =
+      std::find_if(notches.begin(), notches.end(), [&](const Notch& notch) { return is_in_slit(notch, centre); });
+  if (taker == notches.end()) return false;
+  ++taker->n_taken;
+  return true;
 }
 
 void add_zone(const ZoneTable& table, const Packing& packing, Model& model) {
@@ -70,6 +81,7 @@ void add_zone(const ZoneTable& table, const Packing& packing, Model& model) {
 
   ParticleData& particles = model.particles;
   for (std::size_t i = 0; i < packing.size(); ++i) {
+    if (is_taken(model.notches, packing.position[i])) continue;
     const double radius = packing.radius[i];
     particles.position.push_back(packing.position[i]);
     particles.radius.push_back(radius);
@@ -90,6 +102,7 @@ BuiltModel build_model(Case& input) {
   built.model.thickness = input.problem.thickness;
   built.model.plane = input.problem.plane;
   add_materials(input, built.model);
+  built.model.notches = build_notches(input);
   add_mesh(input, built.model);
   std::vector<Packing> packings = generate_packings(input);
   for (std::size_t i = 0; i < packings.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "build/build_gauges.hpp"
+#include "build/build_notches.hpp"
 #include "build/check_contacts.hpp"
 #include "build/unsupported_bodies.hpp"
 #include "contact/contact_forces.hpp"
@@ -72,6 +73,7 @@ BuiltSimulation build_simulation(Case& input) {
   };
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
   check_contacts(input, result.simulation.model(), result.simulation.state());
+  refuse_idle_notches(input, result.simulation.model());
   check_supports(input, result.simulation);
   input.file.throw_collected_errors();
   return result;

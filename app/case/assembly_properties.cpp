@@ -92,6 +92,7 @@ void refuse_other_tables(Case& input) {
         input.file.position(tables.front().view),
         fmt::format("a case of the kind \"assembly_properties\" has no [[{}]]: the test sets its own", name));
   };
+  refuse(input.notches, "notch");
   refuse(input.walls, "wall");
   refuse(input.supports, "support");
   refuse(input.motions, "motion");

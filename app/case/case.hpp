@@ -34,6 +34,7 @@ struct Case {
   ContactTableOfCase contact;
   GenerationTable generation;
   std::vector<Read<ZoneTable>> zones;
+  std::vector<Read<NotchTable>> notches;
   std::vector<Read<WallTable>> walls;
   std::vector<Read<SupportTable>> supports;
   std::vector<Read<MotionTable>> motions;

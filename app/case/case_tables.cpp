@@ -72,6 +72,16 @@ void ZoneTable::declare(Parameters& parameters) {
       .at_least(0.0);
 }
 
+void NotchTable::declare(Parameters& parameters) {
+  parameters.point("from", from, "m", "one end of the notch").required();
+  parameters.point("to", to, "m", "the other end").required();
+  parameters
+      .quantity("width", width, "m",
+                "0: contacts that cross the notch lose their bond; more: particles with their centre in a slit of this "
+                "width, and elements in it, are taken away as well")
+      .at_least(0.0);
+}
+
 void WallTable::declare(Parameters& parameters) {
   parameters.point("from", from, "m", "one end of the wall").required();
   parameters.point("to", to, "m", "the other end; particles are on one side of the wall").required();

@@ -75,6 +75,15 @@ struct ZoneTable {
   void declare(Parameters& parameters);
 };
 
+struct NotchTable {
+  std::string name;
+  std::array<double, 2> from{};
+  std::array<double, 2> to{};
+  double width = 0.0;
+
+  void declare(Parameters& parameters);
+};
+
 /// How a wall holds the particles that touch it at set-up: by contact alone, or along its normal in tension as well.
 enum class WallContact { frictional, tied };
 

@@ -51,6 +51,8 @@ std::vector<TableDescription> describe_case() {
       describe<ContactTableOfCase>("contact", Kind::single, "Contact detection."),
       describe<GenerationTable>("generation", Kind::single, "What all generators of particles share."),
       describe<ZoneTable>("zone", Kind::array, "A rectangle filled with particles."),
+      describe<NotchTable>("notch", Kind::array,
+                           "A straight cut: contacts that cross it hold no tension; with a width, a slit."),
       describe<WallTable>("wall", Kind::array, "A rigid wall, at rest unless a motion moves it."),
       describe<SupportTable>("support", Kind::array, "Bodies held in place."),
       describe<MotionTable>("motion", Kind::array, "Bodies moved at a prescribed velocity."),

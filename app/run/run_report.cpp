@@ -32,12 +32,14 @@ ModelSizes model_sizes(const Model& model) {
     return static_cast<std::size_t>(
         std::count_if(pairs.begin(), pairs.end(), [limit](const SetupPair& pair) { return pair.second < limit; }));
   };
-  const std::size_t n_edge_contacts =
-      count_below(model.facet_pairs, n_facets) + count_below(model.corner_pairs, n_nodes);
+  // Walls are not cut from what they touch.
+  const std::size_t n_cut_from_edges = model.cut_facet_pairs.size() + model.cut_corner_pairs.size();
+  const std::size_t n_edge_pairs = count_below(model.facet_pairs, n_facets) + count_below(model.corner_pairs, n_nodes);
   return {.n_particles = model.particles.size(),
-          .n_contacts = model.particle_pairs.size(),
-          .n_edge_contacts = n_edge_contacts,
-          .n_wall_contacts = model.facet_pairs.size() + model.corner_pairs.size() - n_edge_contacts,
+          .n_contacts = model.particle_pairs.size() - model.cut_particle_pairs.size(),
+          .n_edge_contacts = n_edge_pairs - n_cut_from_edges,
+          .n_wall_contacts = model.facet_pairs.size() + model.corner_pairs.size() - n_edge_pairs,
+          .n_cut_contacts = model.cut_particle_pairs.size() + n_cut_from_edges,
           .n_elements = model.elements.size(),
           .n_nodes = model.n_mesh_nodes()};
 }
@@ -53,6 +55,9 @@ std::vector<std::string> describe(const Case& input, const BuiltSimulation& buil
   if (!input.title.empty()) lines.push_back(input.title);
   lines.push_back(fmt::format("{} particles, {} contacts, {} edge contacts, {} elements, {} nodes", sizes.n_particles,
                               sizes.n_contacts, sizes.n_edge_contacts, sizes.n_elements, sizes.n_nodes));
+  if (sizes.n_cut_contacts > 0) {
+    lines.push_back(fmt::format("{} contacts are cut by notches", sizes.n_cut_contacts));
+  }
   if (const auto& walls = built.simulation.model().walls; !walls.empty()) {
     lines.push_back(fmt::format("{} walls, {} particles touch them", walls.size(), sizes.n_wall_contacts));
   }

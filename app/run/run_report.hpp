@@ -12,6 +12,7 @@ struct ModelSizes {
   std::size_t n_contacts = 0;       ///< bonds between particles at set-up
   std::size_t n_edge_contacts = 0;  ///< bonds with facets and nodes of elements at set-up
   std::size_t n_wall_contacts = 0;  ///< particles that touch walls at set-up
+  std::size_t n_cut_contacts = 0;   ///< pairs, of all kinds, that notches keep from being bonded
   std::size_t n_elements = 0;
   std::size_t n_nodes = 0;
 };

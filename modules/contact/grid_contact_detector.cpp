@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "contact/cut_pairs.hpp"
 #include "contact/dropped_contacts.hpp"
 #include "contact/facet_search.hpp"
 #include "contact/law_ranges.hpp"
@@ -52,8 +53,13 @@ double largest_over_particles(const Model& model, Reach&& reach) {
 }
 
 /// The law of a pair that is new.
-Index law_of_new(const PairLaws& laws, bool is_setup_pair) {
-  return is_setup_pair && laws.bond >= 0 ? laws.bond : laws.contact;
+Index law_of_new(const PairLaws& laws, bool is_bonded) {
+  return is_bonded && laws.bond >= 0 ? laws.bond : laws.contact;
+}
+
+/// Whether set-up bonds a pair: one that is near and that no notch separates.
+bool gets_bond(const std::vector<SetupPair>& pairs, const std::vector<SetupPair>& cut_pairs, const SetupPair& pair) {
+  return is_setup_pair(pairs, pair) && !is_setup_pair(cut_pairs, pair);
 }
 
 /// The pairs found, joined by the bonds of the table, which hold at any distance, each with the row it has now.
@@ -151,6 +157,7 @@ void GridContactDetector::bond(Model& model, State& state) {
       largest_over_particles(model, [&](Index i) { return interface_reach(model, i); }));
   model.facet_pairs = facet_pairs.facets;
   model.corner_pairs = facet_pairs.corners;
+  find_cut_pairs(model);
 
   for (ContactTable* table : {&state.particle_contacts, &state.facet_contacts, &state.corner_contacts}) {
     *table = {};
@@ -194,7 +201,8 @@ void GridContactDetector::rebuild_particle_contacts(const Model& model, State& s
 
   ContactTable& contacts = state.particle_contacts;
   const std::vector<ContactCandidate> kept = candidates(contacts, found, [&](const SetupPair& pair) {
-    return law_of_new(particle_laws(model, pair), is_setup && is_setup_pair(model.particle_pairs, pair));
+    return law_of_new(particle_laws(model, pair),
+                      is_setup && gets_bond(model.particle_pairs, model.cut_particle_pairs, pair));
   });
   book_dropped(model, contacts, kept, nullptr, state.ledger);
   for (const std::size_t row : rebuild_rows(model, contacts, kept)) {
@@ -214,10 +222,11 @@ void GridContactDetector::rebuild_interface_contacts(const Model& model, State& 
   join(found.corners, model.corner_pairs);
 
   const auto facet_candidates = candidates(state.facet_contacts, found.facets, [&](const SetupPair& pair) {
-    return law_of_new(facet_laws(model, pair), is_setup && is_setup_pair(model.facet_pairs, pair));
+    return law_of_new(facet_laws(model, pair), is_setup && gets_bond(model.facet_pairs, model.cut_facet_pairs, pair));
   });
   const auto corner_candidates = candidates(state.corner_contacts, found.corners, [&](const SetupPair& pair) {
-    return law_of_new(corner_laws(model, pair), is_setup && is_setup_pair(model.corner_pairs, pair));
+    return law_of_new(corner_laws(model, pair),
+                      is_setup && gets_bond(model.corner_pairs, model.cut_corner_pairs, pair));
   });
 
   const SlidingContacts sliding(model, state, facet_candidates, corner_candidates);

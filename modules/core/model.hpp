@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/constitutive_law.hpp"
+#include "core/notch.hpp"
 #include "core/vector.hpp"
 
 /// What does not change during a run: geometry at rest, connectivity, properties. Everything that changes is in State.
@@ -117,12 +118,18 @@ struct Model {
   ElementData elements;
   FacetData facets;
   std::vector<Wall> walls;
+  std::vector<Notch> notches;
 
   /// Sorted. These pairs keep their distance at set-up as reference for ever, so that a cut or broken bond that closes
   /// again finds no overlap it never had.
   std::vector<SetupPair> particle_pairs;
   std::vector<SetupPair> facet_pairs;
   std::vector<SetupPair> corner_pairs;
+
+  /// Sorted. Those of the pairs above that a notch separates: they have a distance of reference and no bond.
+  std::vector<SetupPair> cut_particle_pairs;
+  std::vector<SetupPair> cut_facet_pairs;
+  std::vector<SetupPair> cut_corner_pairs;
 
   [[nodiscard]] std::size_t n_mesh_nodes() const { return nodes.size() - 2 * walls.size(); }
   [[nodiscard]] std::size_t n_element_facets() const { return facets.size() - walls.size(); }

@@ -16,7 +16,6 @@
 #include "generation/particle_limit.hpp"
 #include "generation/spatial_order.hpp"
 #include "generation/void_elimination.hpp"
-#include "generation/voids.hpp"
 
 namespace ligament {
 namespace {
@@ -70,7 +69,7 @@ void GradedAssembly::declare(Parameters& parameters) {
       .greater_than(0.0);
   parameters
       .quantity("smallest_void_radius", smallest_void_radius_, "m",
-                "voids where an empty circle larger than this finds room are filled")
+                "voids where an empty circle larger than this finds room are filled, but at the border")
       .required()
       .greater_than(0.0);
 }
@@ -87,19 +86,15 @@ Packing GradedAssembly::generate(const Rectangle& region, std::uint64_t seed) co
     radii.insert(radii.end(), grains.begin(), grains.end());
     entries.push_back(class_entry(sieve_class, area_of(grains) / area_of_zone));
   }
-  const Field<double> between = filling(area_of(radii), area_of_zone);
+  const Field<double> between = discs_between(area_of(radii), area_of_zone);
   radii.insert(radii.end(), between.begin(), between.end());
   entries.push_back({"area_ratio_before_voids", area_of(radii) / area_of_zone, area_ratio_});
   std::sort(radii.begin(), radii.end(), std::greater<>());
 
   Packing packing = grow_discs(radii, size, random);
-  const auto n_in_voids =
-      static_cast<double>(eliminate_voids(packing, size, 0.5 * void_diameter_, smallest_void_radius_));
-  entries.push_back({"n_discs_in_voids", n_in_voids});
-  // choice: no farther below the limit, since there are ever more voids the smaller they are.
-  entries.push_back({"largest_void_radius_m",
-                     largest_void(packing.position, packing.radius, size, 0.5 * smallest_void_radius_),
-                     smallest_void_radius_});
+  const VoidFilling filling{0.5 * void_diameter_, smallest_void_radius_};
+  entries.push_back({"n_discs_in_voids", static_cast<double>(eliminate_voids(packing, size, filling))});
+  entries.push_back({"largest_void_radius_m", largest_void_left(packing, size, filling), smallest_void_radius_});
   for (Vector& centre : packing.position) centre += region.from;
   sort_spatially(packing);  // so that the sums of the report are those of the particles as they will be numbered
   append(entries, packing_report(packing, region));
@@ -140,7 +135,7 @@ std::vector<SieveClass> GradedAssembly::wanted_classes() const {
   return classes;
 }
 
-Field<double> GradedAssembly::filling(double area_of_grains, double area_of_zone) const {
+Field<double> GradedAssembly::discs_between(double area_of_grains, double area_of_zone) const {
   if (interpretation_ == Interpretation::fill) return {};
   const double radius = 0.5 * grading_.threshold_diameter();
   const double missing = std::max(0.0, area_ratio_ * area_of_zone - area_of_grains);

@@ -26,7 +26,7 @@ class GradedAssembly : public Generator {
   [[nodiscard]] std::vector<SieveClass> wanted_classes() const;
   [[nodiscard]] double literal_factor() const;
   /// Radii (m) of discs of the threshold diameter that bring the area ratio of the grains to what is asked for.
-  [[nodiscard]] Field<double> filling(double area_of_grains, double area_of_zone) const;
+  [[nodiscard]] Field<double> discs_between(double area_of_grains, double area_of_zone) const;
 
   Grading grading_;
   Interpretation interpretation_ = Interpretation::fill;

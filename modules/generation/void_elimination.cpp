@@ -11,35 +11,67 @@
 namespace ligament {
 namespace {
 
+/// Moves points by the same vector.
+Field<Vector> shifted(Field<Vector> points, const Vector& shift) {
+  for (Vector& point : points) point += shift;
+  return points;
+}
+
+/// The box without its border strip, and the centres as they lie in it.
+struct Inside {
+  Vector size;
+  Field<Vector> centres;
+
+  Inside(const Packing& packing, const Vector& whole, double border)
+      : size(whole - uniform_vector(2.0 * border)), centres(shifted(packing.position, uniform_vector(-border))) {}
+
+  [[nodiscard]] bool is_empty() const { return std::min(size.x, size.y) <= 0.0; }
+};
+
+std::vector<Circle> voids_to_fill(const Packing& packing, const Vector& size, const VoidFilling& filling) {
+  const Inside inside(packing, size, filling.border());
+  if (inside.is_empty()) return {};
+  std::vector<Circle> voids = find_voids(inside.centres, packing.radius, inside.size, filling.smallest_void);
+  for (Circle& hole : voids) hole.centre += uniform_vector(filling.border());
+  return voids;
+}
+
 /// Fills the voids, the largest first, those left out that the discs before have made too small.
-void fill(Packing& packing, const std::vector<Circle>& voids, double radius, double smallest_void) {
+void fill(Packing& packing, const std::vector<Circle>& voids, const VoidFilling& filling) {
   const std::size_t n_before = packing.size();
   for (const Circle& hole : voids) {
     bool is_left = true;
     for (std::size_t i = n_before; i < packing.size() && is_left; ++i) {
-      is_left = norm(packing.position[i] - hole.centre) - radius > smallest_void;
+      is_left = norm(packing.position[i] - hole.centre) - filling.disc_radius > filling.smallest_void;
     }
     if (!is_left) continue;
     packing.position.push_back(hole.centre);
-    packing.radius.push_back(radius);
+    packing.radius.push_back(filling.disc_radius);
   }
 }
 
 }  // namespace
 
-std::size_t eliminate_voids(Packing& packing, const Vector& size, double radius, double smallest_void) {
+std::size_t eliminate_voids(Packing& packing, const Vector& size, const VoidFilling& filling) {
   constexpr int most_rounds = 1000;
   const std::size_t n_before = packing.size();
   for (int round = 0; round < most_rounds; ++round) {
-    const std::vector<Circle> voids = find_voids(packing.position, packing.radius, size, smallest_void);
+    const std::vector<Circle> voids = voids_to_fill(packing, size, filling);
     if (voids.empty()) return packing.size() - n_before;
-    fill(packing, voids, radius, smallest_void);
+    fill(packing, voids, filling);
     settle(packing, size);
   }
   throw InputError(
       fmt::format("voids above {:g} m are left after {} rounds of filling them with discs of {:g} m radius: a larger "
                   "'smallest_void_radius' would do",
-                  smallest_void, most_rounds, radius));
+                  filling.smallest_void, most_rounds, filling.disc_radius));
+}
+
+double largest_void_left(const Packing& packing, const Vector& size, const VoidFilling& filling) {
+  const Inside inside(packing, size, filling.border());
+  if (inside.is_empty()) return 0.0;
+  // choice: not below half the limit, since there are ever more voids the smaller they are.
+  return largest_void(inside.centres, packing.radius, inside.size, 0.5 * filling.smallest_void);
 }
 
 }  // namespace ligament

@@ -85,16 +85,18 @@ TEST_CASE("a disc alone leaves the four corners of its box") {
   CHECK(corners.size() == 4);
 }
 
-TEST_CASE("voids are filled until none above the limit is left") {
+TEST_CASE("voids off the border are filled until none above the limit is left") {
   const Vector size{1.0, 1.0};
   RandomNumbers random(4);
   Packing packing = grow_discs(Field<double>(60, 0.07), size, random);
   const double limit = 0.01;
   const std::size_t n_before = packing.size();
   REQUIRE(reference::largest_empty_circle(packing.position, packing.radius, size, 0.002) > limit);
-  const std::size_t n_filled = eliminate_voids(packing, size, 0.03, limit);
+  const VoidFilling filling{0.03, limit};
+  REQUIRE(filling.border() == doctest::Approx(0.02));
+  const std::size_t n_filled = eliminate_voids(packing, size, filling);
   CHECK(n_filled > 0);
   CHECK(packing.size() == n_before + n_filled);
-  CHECK(reference::largest_empty_circle(packing.position, packing.radius, size, 0.002) <= limit);
-  CHECK(eliminate_voids(packing, size, 0.03, limit) == 0);
+  CHECK(reference::largest_empty_circle(packing.position, packing.radius, size, 0.002, filling.border()) <= limit);
+  CHECK(eliminate_voids(packing, size, filling) == 0);
 }

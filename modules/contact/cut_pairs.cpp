@@ -1,0 +1,68 @@
+#include "contact/cut_pairs.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <span>
+
+#include "contact/facet_search.hpp"
+
+namespace ligament {
+namespace {
+
+Vector nearest_point(const Model& model, Index facet, const Vector& centre) {
+  const Vector& i = model.nodes.position[model.facets.nodes[facet][0]];
+  const Vector& j = model.nodes.position[model.facets.nodes[facet][1]];
+  const FacetPlace place = place_at_facet(i, j, centre);
+  return i + place.position / place.length * (j - i);
+}
+
+/// Selects the pairs whose branch, from the centre to the end that `end_of` tells, one of the notches separates.
+template <class EndOf>
+std::vector<SetupPair> separated(const Model& model, std::span<const Notch> notches,
+                                 const std::vector<SetupPair>& pairs, EndOf&& end_of) {
+  std::vector<SetupPair> cut;
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(cut), [&](const SetupPair& pair) {
+    const Vector& centre = model.particles.position[pair.first];
+    return std::any_of(notches.begin(), notches.end(),
+                       [&](const Notch& notch) { return separates(notch, centre, end_of(pair)); });
+  });
+  return cut;
+}
+
+struct CutPairs {
+  std::vector<SetupPair> particles;
+  std::vector<SetupPair> facets;
+  std::vector<SetupPair> corners;
+};
+
+std::vector<SetupPair> below(const std::vector<SetupPair>& pairs, std::size_t limit) {
+  std::vector<SetupPair> found;
+  std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(found),
+               [&](const SetupPair& pair) { return static_cast<std::size_t>(pair.second) < limit; });
+  return found;
+}
+
+CutPairs cut_by(const Model& model, std::span<const Notch> notches) {
+  const Field<Vector>& centres = model.particles.position;
+  return {separated(model, notches, model.particle_pairs, [&](const SetupPair& pair) { return centres[pair.second]; }),
+          separated(model, notches, below(model.facet_pairs, model.n_element_facets()),
+                    [&](const SetupPair& pair) { return nearest_point(model, pair.second, centres[pair.first]); }),
+          separated(model, notches, below(model.corner_pairs, model.n_mesh_nodes()),
+                    [&](const SetupPair& pair) { return model.nodes.position[pair.second]; })};
+}
+
+}  // namespace
+
+void find_cut_pairs(Model& model) {
+  CutPairs cut = cut_by(model, model.notches);
+  model.cut_particle_pairs = std::move(cut.particles);
+  model.cut_facet_pairs = std::move(cut.facets);
+  model.cut_corner_pairs = std::move(cut.corners);
+}
+
+bool cuts_pairs(const Model& model, const Notch& notch) {
+  const CutPairs cut = cut_by(model, {&notch, 1});
+  return !cut.particles.empty() || !cut.facets.empty() || !cut.corners.empty();
+}
+
+}  // namespace ligament

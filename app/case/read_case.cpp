@@ -91,7 +91,9 @@ void read_solver(CaseFile& file, SolverTable& solver) {
   const TableView view = file.table("solver");
   std::vector<std::string> methods = solver_methods().names();
   methods.emplace_back(quasi_static_method);
-  solver.method = file.peek(view, "method", methods, default_method).value_or(default_method);
+  const auto method = file.peek(view, "method", methods, default_method);
+  if (!method) return;
+  solver.method = *method;
   if (solver.method == quasi_static_method) return read_quasi_static(file, view, solver);
   if (solver.method == default_method) solver.unbalanced_force_ratio = default_force_ratio;
   read_with_choice(file, view, solver, solver_methods(), "method", solver.integrator, default_method);

@@ -59,7 +59,8 @@ TEST_CASE("names of what there is not") {
       "law = \"linear_elastic\"", "law = \"linear_elastc\"",
       "'law' is 'linear_elastc', but must be one of 'frictional', 'linear_elastic'; did you mean 'linear_elastic'?",
       "\"linear_elastc\"");
-  check_edit("\"hexagonal\"", "\"cubic\"", "'generator' is 'cubic', but must be one of 'file', 'hexagonal', 'random'");
+  check_edit("\"hexagonal\"", "\"cubic\"",
+             "'generator' is 'cubic', but must be one of 'file', 'graded', 'hexagonal', 'random'");
   check_edit("\"dynamic_relaxation\"", "\"implicit\"",
              "'method' is 'implicit', but must be one of 'dynamic_relaxation', 'local_damping', "
              "'two_level_relaxation', 'undamped'");

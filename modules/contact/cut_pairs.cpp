@@ -29,6 +29,12 @@ std::vector<SetupPair> separated(const Model& model, std::span<const Notch> notc
   return cut;
 }
 
+/// A place in the element, just behind what a particle touches of it: a notch along the edge lies before it.
+Vector behind(const Vector& touched, const Vector& centre) {
+  constexpr double part = 1e-6;
+  return touched + part * (touched - centre);
+}
+
 struct CutPairs {
   std::vector<SetupPair> particles;
   std::vector<SetupPair> facets;
@@ -46,9 +52,13 @@ CutPairs cut_by(const Model& model, std::span<const Notch> notches) {
   const Field<Vector>& centres = model.particles.position;
   return {separated(model, notches, model.particle_pairs, [&](const SetupPair& pair) { return centres[pair.second]; }),
           separated(model, notches, below(model.facet_pairs, model.n_element_facets()),
-                    [&](const SetupPair& pair) { return nearest_point(model, pair.second, centres[pair.first]); }),
-          separated(model, notches, below(model.corner_pairs, model.n_mesh_nodes()),
-                    [&](const SetupPair& pair) { return model.nodes.position[pair.second]; })};
+                    [&](const SetupPair& pair) {
+                      const Vector& centre = centres[pair.first];
+                      return behind(nearest_point(model, pair.second, centre), centre);
+                    }),
+          separated(model, notches, below(model.corner_pairs, model.n_mesh_nodes()), [&](const SetupPair& pair) {
+            return behind(model.nodes.position[pair.second], centres[pair.first]);
+          })};
 }
 
 }  // namespace

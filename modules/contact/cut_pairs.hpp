@@ -5,7 +5,8 @@
 namespace ligament {
 
 /// Fills the lists of pairs that are cut: those of set-up whose branch crosses a notch. A branch goes from centre to
-/// centre, to the nearest point of a facet, or to a corner. Walls are not cut from what they touch.
+/// centre, or just behind the nearest point of a facet, or behind a corner, so that a notch along the edge of elements
+/// cuts. Walls are not cut from what they touch.
 void find_cut_pairs(Model& model);
 
 /// Whether a notch cuts any pair of set-up.

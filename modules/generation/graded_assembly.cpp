@@ -139,7 +139,7 @@ Field<double> GradedAssembly::discs_between(double area_of_grains, double area_o
   if (interpretation_ == Interpretation::fill) return {};
   const double radius = 0.5 * grading_.threshold_diameter();
   const double missing = std::max(0.0, area_ratio_ * area_of_zone - area_of_grains);
-  return Field<double>(static_cast<std::size_t>(missing / disc_area(radius) + 0.5), radius);
+  return Field<double>(static_cast<std::size_t>(std::lround(missing / disc_area(radius))), radius);
 }
 
 }  // namespace ligament

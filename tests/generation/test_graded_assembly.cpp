@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -127,13 +128,29 @@ TEST_CASE("the contacts told of a graded assembly are its overlapping pairs") {
   CHECK(value_of(packing.report, "n_contacts") == static_cast<double>(pairs.size()));
 }
 
-TEST_CASE("the paper's zone of 0.2 m by 0.2 m: 3038 particles with 8795 contacts") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
-    const auto report = concrete()->generate({{0.0, 0.0}, {0.2, 0.2}}, seed).report;
-    CHECK(value_of(report, "n_particles") == doctest::Approx(3038.0).epsilon(0.04));
-    CHECK(value_of(report, "n_contacts") == doctest::Approx(8795.0).epsilon(0.04));
-    CHECK(value_of(report, "contacts_per_particle") == doctest::Approx(2.895).epsilon(0.015));
-    CHECK(value_of(report, "contact_anisotropy") < 0.02);
+TEST_CASE(
+    "the paper's zones have the paper's numbers of particles, contacts and contacts with elements on both sides") {
+  struct Zone {
+    Vector size;
+    std::vector<std::uint64_t> seeds;
+    double n_particles, n_contacts, n_edge_contacts;
+  };
+  const std::array<Zone, 2> zones{Zone{{0.2, 0.2}, {1, 2, 3}, 3038.0, 8795.0, 121.0},
+                                  Zone{{0.3, 0.306}, {1}, 6908.0, 20212.0, 195.0}};
+  for (const Zone& zone : zones) {
+    for (const std::uint64_t seed : zone.seeds) {
+      const Packing packing = concrete()->generate({{}, zone.size}, seed);
+      CHECK(value_of(packing.report, "n_particles") == doctest::Approx(zone.n_particles).epsilon(0.04));
+      CHECK(value_of(packing.report, "n_contacts") == doctest::Approx(zone.n_contacts).epsilon(0.04));
+      CHECK(value_of(packing.report, "contacts_per_particle") == doctest::Approx(2.895).epsilon(0.015));
+      CHECK(value_of(packing.report, "contact_anisotropy") < 0.02);
+      double n_at_sides = 0.0;
+      for (std::size_t i = 0; i < packing.size(); ++i) {
+        const double x = packing.position[i].x;
+        if (std::min(x, zone.size.x - x) <= packing.radius[i]) n_at_sides += 1.0;
+      }
+      CHECK(n_at_sides == doctest::Approx(zone.n_edge_contacts).epsilon(0.08));
+    }
   }
 }
 

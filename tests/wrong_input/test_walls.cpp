@@ -159,6 +159,10 @@ TEST_CASE("the test of an assembly sets its own loads") {
   check_rejected(properties + gauge,
                  "case.toml:" + place_of("[[gauge]]", properties + gauge) +
                      ": a case of the kind \"assembly_properties\" has no [[gauge]]: the test sets its own");
+  const std::string notch = "[[notch]]\nname = \"n\"\nfrom = [\"0.5 m\", \"0 m\"]\nto = [\"0.5 m\", \"0.5 m\"]\n";
+  check_rejected(properties + notch,
+                 "case.toml:" + place_of("[[notch]]", properties + notch) +
+                     ": a case of the kind \"assembly_properties\" has no [[notch]]: the test sets its own");
   const std::string zone =
       properties.substr(properties.find("[[zone]]"), properties.find("[solver]") - properties.find("[[zone]]"));
   std::string second = zone;

@@ -90,7 +90,8 @@ bool Simulation::increment() {
   return modules_.loading->advance(model_, state_,
                                    {.add_forces = [this] { add_forces(); },
                                     .add_applied_loads = [this] { add_applied_loads(); },
-                                    .internal = [this] { return internal_forces(); }});
+                                    .internal = [this] { return internal_forces(); },
+                                    .is_interrupted = is_interrupted_});
 }
 
 void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -64,6 +65,8 @@ class Simulation {
   [[nodiscard]] const State& state() const { return state_; }
   /// Replaces the state by one read from a checkpoint of the same case.
   void restore(State state) { state_ = std::move(state); }
+  /// Increments of loading end without equilibrium as soon as this says so.
+  void interrupt_increments_by(std::function<bool()> is_interrupted) { is_interrupted_ = std::move(is_interrupted); }
   /// Whether every state is one of equilibrium.
   [[nodiscard]] bool is_quasi_static() const { return modules_.loading != nullptr; }
   [[nodiscard]] const std::string& limiting_body() const { return limiting_body_; }
@@ -82,6 +85,7 @@ class Simulation {
   State state_;
   Modules modules_;
   TimeStepChoice choice_;
+  std::function<bool()> is_interrupted_ = [] { return false; };
   std::string limiting_body_;
 };
 

@@ -54,6 +54,7 @@ Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& di
       checkpoints_(directory, input),
       table_(input, built.gauges, console) {
   // The audits of every step are those of stepping.
+  built.simulation.interrupt_increments_by(&is_stop_requested);
   if (audits_every_step(input) && !built.simulation.is_quasi_static()) step_audit_.emplace(built.simulation);
 }
 
@@ -107,8 +108,7 @@ ExitCode Runner::go_on() {
   try {
     while (!ending) {
       if (!built_.simulation.advance()) {
-        ending = Ending::not_converged;
-        handle_boundary(ending);
+        ending = end_at_last_equilibrium();
         break;
       }
       if (step_audit_) step_audit_->observe(built_.simulation);
@@ -167,6 +167,12 @@ std::optional<Ending> Runner::find_ending() {
   if (step() >= input_.solver.max_steps) {
     return can_converge() ? Ending::not_converged : Ending::completed;
   }
+  if (const auto requested = requested_ending()) return requested;
+  if (stop_step_ && step() >= *stop_step_) return Ending::stopped;
+  return std::nullopt;
+}
+
+std::optional<Ending> Runner::requested_ending() {
   switch (take_request()) {
     case Request::stop_by_interrupt:
       return Ending::interrupted;
@@ -178,8 +184,17 @@ std::optional<Ending> Runner::find_ending() {
     case Request::none:
       break;
   }
-  if (stop_step_ && step() >= *stop_step_) return Ending::stopped;
   return std::nullopt;
+}
+
+Ending Runner::end_at_last_equilibrium() {
+  const Ending ending = requested_ending().value_or(Ending::not_converged);
+  // Its row and fields have been written if they were due.
+  if (is_final(ending) && !is_due(input_.output.every)) table_.show(results_->write_row(built_));
+  const bool has_fields = input_.output.fields_every && is_due(*input_.output.fields_every);
+  if (is_final(ending) && !has_fields) results_->write_fields(built_.simulation);
+  save_checkpoint(true);
+  return ending;
 }
 
 void Runner::handle_boundary(std::optional<Ending> ending) {

@@ -45,6 +45,10 @@ class Runner {
   [[nodiscard]] bool is_last_stage() const;
   /// Why the run ends at this boundary, if it does.
   std::optional<Ending> find_ending();
+  /// What a signal asks for.
+  std::optional<Ending> requested_ending();
+  /// An increment of loading found no equilibrium, or was interrupted by a signal.
+  Ending end_at_last_equilibrium();
   void handle_boundary(std::optional<Ending> ending);
   /// Writes the state of equilibrium that a stage ends in, and begins the next one.
   void finish_stage();

@@ -29,6 +29,8 @@ void install_signal_handlers() {
 
 void ignore_file_size_signal() { std::signal(SIGXFSZ, SIG_IGN); }
 
+bool is_stop_requested() { return stop_signal != 0; }
+
 Request take_request() {
   if (stop_signal == SIGINT) return Request::stop_by_interrupt;
   if (stop_signal == SIGTERM) return Request::stop_by_termination;

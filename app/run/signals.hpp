@@ -11,6 +11,9 @@ void install_signal_handlers();
 /// A file that grows too large is an error of its write, not a signal that kills.
 void ignore_file_size_signal();
 
+/// Whether a signal has asked to stop.
+bool is_stop_requested();
+
 /// What was asked for; a stop counts more than a checkpoint, and stays.
 Request take_request();
 

@@ -98,7 +98,7 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
     }
     restore(state);
     step *= cut;
-    if (!(step > smallest_share_ * wanted)) return false;
+    if (!(step > smallest_share_ * wanted) || evaluation.is_interrupted()) return false;
   }
 }
 
@@ -182,7 +182,7 @@ bool IncrementalLoading::relax(const Model& model, State& state, const ForceEval
   double damping = 2.0;
   std::int64_t n_settled = 0;
   while (n_settled < settled_evaluations_) {
-    if (n_evaluations_ >= most_evaluations_) return false;
+    if (n_evaluations_ >= most_evaluations_ || evaluation.is_interrupted()) return false;
     update_momenta(momenta, free_now, damping);
     motion = mass_->velocities(momenta);
     move(model, state, evaluation, motion);

@@ -16,6 +16,7 @@ struct ForceEvaluation {
   std::function<void()> add_forces;           ///< resultants of all bodies, contacts from their memory
   std::function<void()> add_applied_loads;    ///< resultants of the applied loads alone, in place of the others
   std::function<ForceMagnitudes()> internal;  ///< see ForceProvider::internal_forces()
+  std::function<bool()> is_interrupted;       ///< whether to give up
 };
 
 /// Quasi-static loading in increments, each relaxed to equilibrium with masses of two levels. Contacts remember the
@@ -35,7 +36,7 @@ class IncrementalLoading : public EnergySource {
   static void open_lines(EnergyLedger& ledger);
 
   /// Goes to the next state of equilibrium of the present stage: clock, displacements, contacts, ledger. False if there
-  /// is none within its limits; the state is then the last equilibrium.
+  /// is none within its limits, or if it is interrupted; the state is then the last equilibrium.
   bool advance(const Model& model, State& state, const ForceEvaluation& evaluation);
 
   [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;

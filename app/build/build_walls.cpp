@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "constitutive/batch_law.hpp"
 #include "constitutive/tied.hpp"
 
@@ -23,11 +25,16 @@ Wall make_wall(const WallTable& table, Model& model) {
   return wall;
 }
 
-/// Walls face the side that this is on.
-Vector mean_centre(const ParticleData& particles) {
-  Vector sum;
-  for (const Vector& centre : particles.position) sum += centre;
-  return sum / static_cast<double>(particles.size());
+/// The centre nearest to a wall: the wall faces its side.
+Vector nearest_centre(const ParticleData& particles, const WallTable& table) {
+  const Vector from = to_vector(table.from);
+  const Vector along = to_vector(table.to) - from;
+  const auto distance = [&](const Vector& centre) {
+    const double share = std::clamp(dot(centre - from, along) / dot(along, along), 0.0, 1.0);
+    return norm(centre - (from + share * along));
+  };
+  return *std::min_element(particles.position.begin(), particles.position.end(),
+                           [&](const Vector& a, const Vector& b) { return distance(a) < distance(b); });
 }
 
 void add_nodes(const WallTable& table, const Vector& inside, Model& model) {
@@ -60,7 +67,7 @@ void add_walls(Case& input, Model& model) {
   }
   input.file.throw_collected_errors();
   for (const auto& [table, view] : input.walls) {
-    add_nodes(table, mean_centre(model.particles), model);
+    add_nodes(table, nearest_centre(model.particles, table), model);
     model.walls.push_back(make_wall(table, model));
   }
 }

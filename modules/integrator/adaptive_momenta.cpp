@@ -1,12 +1,29 @@
 #include "integrator/adaptive_momenta.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/block_sum.hpp"
+#include "core/error.hpp"
+#include "core/parameters.hpp"
 #include "integrator/freedom_columns.hpp"
 
 namespace ligament {
+
+void DampingBounds::declare(Parameters& parameters) {
+  parameters.number("smallest_damping", smallest, "lower bound of c Δt of relaxation").at_least(0.0).less_than(2.0);
+  parameters.number("largest_damping", largest, "upper bound of c Δt of relaxation; above 2 it would overshoot")
+      .greater_than(0.0)
+      .less_than(2.0);
+}
+
+void DampingBounds::check() const {
+  if (smallest <= largest) return;
+  throw InputError(
+      fmt::format("'smallest_damping' is {} in [solver], above 'largest_damping', which is {}", smallest, largest));
+}
 
 double adaptive_damping(const std::vector<double>& velocities, const std::vector<double>& momenta,
                         const std::vector<double>& forces, const std::vector<double>& forces_before,

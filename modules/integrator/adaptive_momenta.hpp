@@ -9,6 +9,10 @@ struct DampingBounds {
   /// Without a floor single assemblies fail to settle.
   double smallest = 0.02;
   double largest = 1.9;
+
+  void declare(class Parameters& parameters);
+  /// Throws InputError if they leave no room.
+  void check() const;
 };
 
 /// c = 2 ω within bounds, with the frequency that the motion v shows, ω² = -v·Δf / v·p.

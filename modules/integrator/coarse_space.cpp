@@ -1,7 +1,11 @@
 #include "integrator/coarse_space.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "core/error.hpp"
 
 namespace ligament {
 namespace {
@@ -45,6 +49,12 @@ CoarseSpace::Grid::Grid(const Model& model, double cell_size) {
     set_component(cell, axis, length > 0.0 ? length / static_cast<double>(n_cells[axis]) : cell_size);
   }
   long_axis = n_cells[0] >= n_cells[1] ? 0 : 1;
+  constexpr std::size_t most_corners = 100000;
+  if (n_cells[0] <= most_corners && n_cells[1] <= most_corners && n_corners() <= most_corners) return;
+  throw InputError(
+      fmt::format("'coarse_cell' is too small: the coarse motions would have more than {} corners; leave it "
+                  "out, or take a tenth of the structure",
+                  most_corners));
 }
 
 std::size_t CoarseSpace::Grid::n_corners() const { return (n_cells[0] + 1) * (n_cells[1] + 1); }

@@ -55,12 +55,7 @@ void IncrementalLoading::declare(Parameters& parameters) {
               "the run ends when an increment cut to less than this share of itself finds no equilibrium")
       .greater_than(0.0)
       .at_most(1.0);
-  parameters.number("smallest_damping", bounds_.smallest, "lower bound of c Δt of relaxation")
-      .at_least(0.0)
-      .less_than(2.0);
-  parameters.number("largest_damping", bounds_.largest, "upper bound of c Δt of relaxation")
-      .greater_than(0.0)
-      .less_than(2.0);
+  bounds_.declare(parameters);
   parameters
       .quantity("coarse_cell", coarse_cell_, "m",
                 "size of the cells of the coarse motions; default half of the shorter side of the structure")
@@ -75,6 +70,7 @@ void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms, st
 }
 
 void IncrementalLoading::use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) {
+  bounds_.check();
   mass_.emplace(model, state, stiffness, coarse_cell_);
   free_ = free_mask(model);
 }

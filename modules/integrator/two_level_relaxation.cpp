@@ -12,10 +12,7 @@ constexpr const char* damping_line = "damping";
 }  // namespace
 
 void TwoLevelRelaxation::declare(Parameters& parameters) {
-  parameters.number("smallest_damping", bounds_.smallest, "lower bound of c Δt").at_least(0.0).less_than(2.0);
-  parameters.number("largest_damping", bounds_.largest, "upper bound of c Δt; above 2 the damping would overshoot")
-      .greater_than(0.0)
-      .less_than(2.0);
+  bounds_.declare(parameters);
   parameters
       .quantity("coarse_cell", coarse_cell_, "m",
                 "size of the cells of the coarse motions; default half of the shorter side of the structure")
@@ -23,6 +20,7 @@ void TwoLevelRelaxation::declare(Parameters& parameters) {
 }
 
 void TwoLevelRelaxation::use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) {
+  bounds_.check();
   mass_.emplace(model, state, stiffness, coarse_cell_);
 }
 

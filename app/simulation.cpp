@@ -121,6 +121,11 @@ double Simulation::audit() {
   return state_.ledger.audit(balance);
 }
 
+void Simulation::count_breaks(std::int64_t n_tension, std::int64_t n_shear) {
+  state_.cracks.n_tension += n_tension;
+  state_.cracks.n_shear += n_shear;
+}
+
 std::vector<EnergyTerm> Simulation::energies() const {
   std::vector<EnergyTerm> lines =
       is_quasi_static() ? modules_.loading->energies(model_, state_) : modules_.integrator->energies(model_, state_);

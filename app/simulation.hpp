@@ -53,6 +53,9 @@ class Simulation {
   /// Takes the balance of time n into the ledger; returns its relative error.
   double audit();
 
+  /// Adds bonds that broke to the count.
+  void count_breaks(std::int64_t n_tension, std::int64_t n_shear);
+
   /// All lines of the ledger at time n; lines of one name are summed.
   [[nodiscard]] std::vector<EnergyTerm> energies() const;
   [[nodiscard]] Unbalance unbalance() const;

@@ -17,6 +17,7 @@ void add_check_command(CLI::App& app, Action& action);
 void add_generate_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_audit_command(CLI::App& app, Action& action);
+void add_report_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_documentation_commands(CLI::App& app, Action& action);
 

@@ -3,6 +3,7 @@
 #include "contact/facet_search.hpp"
 #include "integrator/prescribed_motion.hpp"
 #include "mesh/element_properties.hpp"
+#include "run/crack_planes.hpp"
 
 namespace ligament {
 namespace {
@@ -41,21 +42,29 @@ Field<Vector> velocities(const TranslationState& bodies) {
   return mean;
 }
 
-/// Both ends of the lines that stand for contacts.
+/// Both ends of the lines that stand for contacts, and what is known of each contact.
 struct ContactLines {
   Field<Vector> position;
   Field<Vector> displacement;
   std::vector<double> normal_force, shear_force, opening, slip;
   Field<Index> kind;
   Field<BondState> bond;
+  std::vector<double> damage, spent_energy, plane_length;
+  Field<FractureMode> mode;
+  Field<Vector> contact_point;
 
-  void add(const ContactTable& contacts, std::size_t row, Index kind_of_row) {
+  void add(const ContactTable& contacts, std::size_t row, Index kind_of_row, const CrackPlane& plane) {
     normal_force.push_back(contacts.normal_force[row]);
     shear_force.push_back(contacts.shear_force[row]);
     opening.push_back(contacts.opening[row]);
     slip.push_back(contacts.shear_displacement[row]);
     kind.push_back(kind_of_row);
     bond.push_back(contacts.bond[row]);
+    damage.push_back(plane.damage);
+    spent_energy.push_back(plane.spent_energy);
+    plane_length.push_back(plane.length);
+    mode.push_back(plane.mode);
+    contact_point.push_back(plane.centre);
   }
   void add_end(const Vector& rest, const Vector& moved) {
     position.push_back(rest);
@@ -65,19 +74,20 @@ struct ContactLines {
 
 ContactLines contact_lines(const Model& model, const State& state) {
   ContactLines lines;
-  const auto add_all = [&](const ContactTable& contacts, Index kind, auto&& add_second) {
+  const auto add_all = [&]<class Pairing>(Pairing, Index kind, auto&& add_second) {
+    const ContactTable& contacts = Pairing::table(state);
     for (std::size_t row = 0; row < contacts.size(); ++row) {
-      lines.add(contacts, row, kind);
+      lines.add(contacts, row, kind, crack_plane<Pairing>(model, state, row));
       const Index a = contacts.first[row];
       lines.add_end(model.particles.position[a], state.particles.translation.displacement[a]);
       add_second(a, contacts.second[row]);
     }
   };
   const auto& nodes = state.nodes.translation.displacement;
-  add_all(state.particle_contacts, 0, [&](Index, Index b) {
+  add_all(ParticlePairing{}, 0, [&](Index, Index b) {
     lines.add_end(model.particles.position[b], state.particles.translation.displacement[b]);
   });
-  add_all(state.facet_contacts, 1, [&](Index a, Index facet) {
+  add_all(FacetPairing{}, 1, [&](Index a, Index facet) {
     const auto& [i, j] = model.facets.nodes[facet];
     const Vector& from = model.nodes.position[i];
     const Vector& to = model.nodes.position[j];
@@ -85,7 +95,7 @@ ContactLines contact_lines(const Model& model, const State& state) {
     const double share = place.position / place.length;
     lines.add_end(from + share * (to - from), nodes[i] + share * (nodes[j] - nodes[i]));
   });
-  add_all(state.corner_contacts, 2, [&](Index, Index node) { lines.add_end(model.nodes.position[node], nodes[node]); });
+  add_all(CornerPairing{}, 2, [&](Index, Index node) { lines.add_end(model.nodes.position[node], nodes[node]); });
   return lines;
 }
 
@@ -98,6 +108,7 @@ FieldGroup particle_fields(const Model& model, const State& state) {
                       vectors("displacement", "m", state.particles.translation.displacement),
                       numbers("rotation", "rad", state.particles.rotation.rotation),
                       vectors("velocity", "m/s", velocities(state.particles.translation)),
+                      numbers("damage", "1", particle_damage(model, state)),
                       integers("material", model.particles.material),
                       integers("id", model.particles.id)};
   return group;
@@ -154,7 +165,12 @@ FieldGroup contact_fields(const Model& model, const State& state) {
                      numbers("opening", "m", std::move(lines.opening)),
                      numbers("slip", "m", std::move(lines.slip)),
                      integers("kind", lines.kind),
-                     integers("bond", lines.bond)};
+                     integers("bond", lines.bond),
+                     numbers("damage", "1", std::move(lines.damage)),
+                     integers("mode", lines.mode),
+                     numbers("spent_energy", "J", std::move(lines.spent_energy)),
+                     vectors("contact_point", "m", lines.contact_point),
+                     numbers("plane_length", "m", std::move(lines.plane_length))};
   return group;
 }
 

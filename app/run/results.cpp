@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "run/run_report.hpp"
-
 namespace ligament {
 namespace {
 
@@ -24,9 +22,10 @@ std::vector<std::string> energy_columns(const BuiltSimulation& built) {
 
 }  // namespace
 
-Results::Results(const RunDirectory& directory, const BuiltSimulation& built)
+Results::Results(const RunDirectory& directory, BuiltSimulation& built)
     : history_(CsvTable::create(directory.file("history.csv"), history_columns(built))),
       energy_(CsvTable::create(directory.file("energy.csv"), energy_columns(built))),
+      cracks_(directory.file("cracks.csv"), built.simulation),
       fields_(directory.file("fields")) {
   fields_.resume(-1);
 }
@@ -34,6 +33,7 @@ Results::Results(const RunDirectory& directory, const BuiltSimulation& built)
 Results::Results(const RunDirectory& directory, const BuiltSimulation& built, std::int64_t resumed_step)
     : history_(CsvTable::resume(directory.file("history.csv"), history_columns(built), resumed_step)),
       energy_(CsvTable::resume(directory.file("energy.csv"), energy_columns(built), resumed_step)),
+      cracks_(directory.file("cracks.csv"), built.simulation, resumed_step),
       fields_(directory.file("fields")) {
   fields_.resume(resumed_step);
 }
@@ -43,7 +43,7 @@ HistoryRow Results::write_row(BuiltSimulation& built) {
   const Clock& clock = simulation.state().clock;
   HistoryRow row{.step = clock.step, .time = clock.time};
   for (const Gauge& gauge : built.gauges) row.gauges.push_back(gauge.value(simulation.model(), simulation.state()));
-  row.n_broken = count_broken(simulation.state());
+  row.n_broken = simulation.state().cracks.n_broken();
   row.unbalanced_force_ratio = simulation.unbalance().ratio();
   row.energy_error = simulation.audit();
 
@@ -66,6 +66,7 @@ HistoryRow Results::write_row(BuiltSimulation& built) {
 void Results::sync() {
   history_.sync();
   energy_.sync();
+  cracks_.sync();
 }
 
 }  // namespace ligament

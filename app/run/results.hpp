@@ -4,6 +4,7 @@
 
 #include "build/build_simulation.hpp"
 #include "io/csv_table.hpp"
+#include "run/crack_record.hpp"
 #include "run/field_output.hpp"
 #include "run/run_directory.hpp"
 
@@ -14,19 +15,21 @@ struct HistoryRow {
   std::int64_t step = 0;
   double time = 0.0;
   std::vector<double> gauges;
-  std::size_t n_broken = 0;
+  std::int64_t n_broken = 0;
   double unbalanced_force_ratio = 0.0;
   double energy_error = 0.0;
 };
 
-/// The result files of a run that grow with it: history.csv, energy.csv and fields/.
+/// The result files of a run that grow with it: history.csv, energy.csv, cracks.csv and fields/.
 class Results {
  public:
   /// Starts new files.
-  Results(const RunDirectory& directory, const BuiltSimulation& built);
+  Results(const RunDirectory& directory, BuiltSimulation& built);
   /// Goes on with the files of a run that is resumed at this step; what they hold beyond it is dropped.
   Results(const RunDirectory& directory, const BuiltSimulation& built, std::int64_t resumed_step);
 
+  /// Takes note of the bonds that the last step or increment broke.
+  void record_breaks(Simulation& simulation) { cracks_.observe(simulation); }
   /// Audits the energy and writes a row of both tables.
   HistoryRow write_row(BuiltSimulation& built);
   void write_fields(const Simulation& simulation) { fields_.write(simulation.model(), simulation.state()); }
@@ -36,6 +39,7 @@ class Results {
  private:
   CsvTable history_;
   CsvTable energy_;
+  CrackRecord cracks_;
   FieldOutput fields_;
 };
 

@@ -9,10 +9,6 @@
 namespace ligament {
 namespace {
 
-std::size_t count_broken(const ContactTable& contacts) {
-  return static_cast<std::size_t>(std::count(contacts.bond.begin(), contacts.bond.end(), BondState::broken));
-}
-
 std::string describe_time_step(const Case& input, const Simulation& simulation) {
   const double time_step = simulation.state().clock.time_step;
   if (input.solver.time_step.masses == Masses::scaled) {
@@ -42,11 +38,6 @@ ModelSizes model_sizes(const Model& model) {
           .n_cut_contacts = model.cut_particle_pairs.size() + n_cut_from_edges,
           .n_elements = model.elements.size(),
           .n_nodes = model.n_mesh_nodes()};
-}
-
-std::size_t count_broken(const State& state) {
-  return count_broken(state.particle_contacts) + count_broken(state.facet_contacts) +
-         count_broken(state.corner_contacts);
 }
 
 std::vector<std::string> describe(const Case& input, const BuiltSimulation& built) {

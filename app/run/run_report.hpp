@@ -18,9 +18,6 @@ struct ModelSizes {
 };
 ModelSizes model_sizes(const Model& model);
 
-/// Number of broken bonds.
-std::size_t count_broken(const State& state);
-
 /// Lines of the banner: sizes, packings, masses, time step and what limits it.
 std::vector<std::string> describe(const Case& input, const BuiltSimulation& built);
 

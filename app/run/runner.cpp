@@ -111,6 +111,7 @@ ExitCode Runner::go_on() {
         ending = end_at_last_equilibrium();
         break;
       }
+      results_->record_breaks(built_.simulation);
       if (step_audit_) step_audit_->observe(built_.simulation);
       ending = find_ending();
       handle_boundary(ending);

@@ -9,7 +9,9 @@
 #include "core/parallel.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
+#include "run/crack_record.hpp"
 #include "run/external_forces.hpp"
+#include "run/macro_crack.hpp"
 #include "run/run_report.hpp"
 #include "version.hpp"
 
@@ -91,6 +93,17 @@ Json results(const Case& input, const BuiltSimulation& built, Ending ending) {
   return values;
 }
 
+/// The macro-crack in numbers; its path goes to crack_path.csv.
+Json crack_of(const MacroCrack& crack, const RunDirectory& directory) {
+  write_atomically(directory.file("crack_path.csv"), path_table(crack));
+  const auto point = [](const Vector& place) { return Json::array({component(place, 0), component(place, 1)}); };
+  return {{"length_m", crack.length},
+          {"tortuosity", crack.tortuosity},
+          {"damaged_width_m", crack.damaged_width},
+          {"from", point(crack.path.front())},
+          {"to", point(crack.path.back())}};
+}
+
 }  // namespace
 
 bool write_summary(const Case& input, const BuiltSimulation& built, const RunDirectory& directory,
@@ -113,7 +126,9 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
             {"n_edge_contacts", sizes.n_edge_contacts},
             {"n_wall_contacts", sizes.n_wall_contacts},
             {"n_elements", sizes.n_elements},
-            {"n_broken", count_broken(simulation.state())},
+            {"n_broken", simulation.state().cracks.n_broken()},
+            {"n_broken_tension", simulation.state().cracks.n_tension},
+            {"n_broken_shear", simulation.state().cracks.n_shear},
             {"unbalanced_force_ratio", unbalance.ratio()},
             {"largest_resultant_N", unbalance.largest_resultant},
             {"mean_force_N", unbalance.mean_force},
@@ -128,6 +143,9 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
   if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;
   if (!summary.divergence.empty()) json["divergence"] = summary.divergence;
   if (!built.reports.empty()) json["packing"] = packings(built);
+  std::vector<CrackPlane> planes = read_broken_planes(directory.file("cracks.csv"), simulation.state().clock.step);
+  for (const CrackPlane& plane : softening_planes(simulation.model(), simulation.state())) planes.push_back(plane);
+  if (const auto crack = find_macro_crack(planes)) json["crack"] = crack_of(*crack, directory);
   json["results"] = results(input, built, summary.ending);
   write_atomically(directory.file("summary.json"), json.dump(2) + "\n");
   return passed;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -56,6 +57,15 @@ class BatchLaw final : public ConstitutiveLaw {
       for (std::size_t k = 0; k < Law::n_history; ++k) history[k] = batch.history[k][i];
       return law_.energies(input, force, history);
     });
+  }
+
+  [[nodiscard]] ContactDamage damage(std::span<const double> history) const override {
+    if constexpr (requires(const std::array<double, Law::n_history>& values) { law_.damage(values); }) {
+      std::array<double, Law::n_history> values;
+      std::copy_n(history.begin(), Law::n_history, values.begin());
+      return law_.damage(values);
+    }
+    return {};
   }
 
  private:

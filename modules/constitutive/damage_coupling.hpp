@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/constitutive_law.hpp"
+
 namespace ligament {
 
 /// How the damages of tension and shear, D_t and D_s, act on each other's strength.
@@ -27,6 +29,14 @@ inline double strength_left(DamageCoupling coupling, double own, double other) {
 /// The part of its strength that a mode has lost through the damage of the other.
 inline double strength_lost_to(DamageCoupling coupling, double own, double other) {
   return (1.0 - own) - strength_left(coupling, own, other);
+}
+
+/// What a bond has lost in the mode with the larger damage, to which it is put down.
+inline ContactDamage combined_damage(DamageCoupling coupling, double tension, double shear) {
+  const double larger = std::max(tension, shear);
+  if (larger <= 0.0) return {};
+  return {1.0 - strength_left(coupling, larger, std::min(tension, shear)),
+          tension >= shear ? FractureMode::tension : FractureMode::shear};
 }
 
 /// Whether nothing holds any more, to rounding.

@@ -74,6 +74,10 @@ struct MohrCoulomb : MohrCoulombStrength {
             .friction = history[friction_work]};
   }
 
+  [[nodiscard]] ContactDamage damage(const History& history) const {
+    return combined_damage(coupling, history[damage_tension], history[damage_shear]);
+  }
+
   [[nodiscard]] std::optional<LawComplaint> complaint(const ContactSample& contact) const {
     const auto of_tension = tension().complaint("fracture_energy_tension", contact.area / contact.normal_stiffness);
     const auto of_shear = shear().complaint("fracture_energy_shear", contact.area / contact.shear_stiffness);

@@ -44,6 +44,12 @@ struct MohrCoulombBrittle : MohrCoulombStrength {
             .friction = history[friction_work]};
   }
 
+  [[nodiscard]] ContactDamage damage(const History& history) const {
+    if (history[damage_tension] > 0.0) return {history[damage_tension], FractureMode::tension};
+    if (history[damage_shear] > 0.0) return {history[damage_shear], FractureMode::shear};
+    return {};
+  }
+
  private:
   void break_bond(const ContactInput& input, double normal, ShearVector shear, ContactForce& force,
                   History& history) const {

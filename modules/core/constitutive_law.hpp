@@ -16,6 +16,15 @@ class Parameters;
 /// Life of a contact. Unbonded ones touch without cohesion; a bond softens, then breaks, and stays with its law.
 enum class BondState : std::uint8_t { unbonded, bonded, softening, broken };
 
+/// The two ways in which a bond fails.
+enum class FractureMode : std::uint8_t { none, tension, shear };
+
+/// What a bond has lost of its strength.
+struct ContactDamage {
+  double value = 0.0;                      ///< 0 intact, 1 nothing left
+  FractureMode mode = FractureMode::none;  ///< to which most of it is due
+};
+
 /// A number that a law keeps for each of its contacts. State holds one array per variable, so restart, hash, output and
 /// comparison follow.
 struct HistoryVariable {
@@ -106,6 +115,9 @@ class ConstitutiveLaw {
 
   /// Stored and spent energy of the contacts, as functions of their state.
   [[nodiscard]] virtual ContactEnergies energies(const ContactBatchView& batch) const = 0;
+
+  /// Damage of one contact from its history, in the order of the declaration; by default none.
+  [[nodiscard]] virtual ContactDamage damage(std::span<const double> /*history*/) const { return {}; }
 };
 
 }  // namespace ligament

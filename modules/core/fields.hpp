@@ -117,6 +117,14 @@ void visit_fields(Table& table, Visitor&& visit) {
   visit("n_evaluations", n_evaluations, FieldRole::physics);
 }
 
+template <TableOf<CrackState> Table, class Visitor>
+void visit_fields(Table& table, Visitor&& visit) {
+  auto& [n_tension, n_shear] = table;
+  // Bonds break by themselves; whoever watches counts them.
+  visit("n_tension", n_tension, FieldRole::sampled);
+  visit("n_shear", n_shear, FieldRole::sampled);
+}
+
 template <TableOf<RelaxationState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
   auto& [damping, particle_force, particle_moment, node_force, momentum, force] = table;
@@ -142,7 +150,7 @@ void visit_fields(Table& table, Visitor&& visit) {
 template <TableOf<State> Table, class Visitor>
 void visit_fields(Table& state, Visitor&& visit) {
   auto& [clock, particles, nodes, particle_contacts, facet_contacts, corner_contacts, search, stage, relaxation,
-         loading, ledger] = state;
+         loading, cracks, ledger] = state;
   const auto visit_table = [&visit](const std::string& name, auto& table) {
     visit_fields(table, [&](const std::string& field_name, auto& field, FieldRole role) {
       visit(name + "." + field_name, field, role);
@@ -158,6 +166,7 @@ void visit_fields(Table& state, Visitor&& visit) {
   visit_table("stage", stage);
   visit_table("relaxation", relaxation);
   visit_table("loading", loading);
+  visit_table("cracks", cracks);
   visit_table("ledger", ledger);
 }
 

@@ -106,6 +106,15 @@ struct StageState {
   Field<double> peaks;          ///< largest reading of every gauge so far
 };
 
+/// How many bonds have broken since the start, also where nothing else tells of them any more: a broken contact whose
+/// bodies have moved apart leaves its table.
+struct CrackState {
+  std::int64_t n_tension = 0;
+  std::int64_t n_shear = 0;
+
+  [[nodiscard]] std::int64_t n_broken() const { return n_tension + n_shear; }
+};
+
 /// What quasi-static loading in increments remembers.
 struct LoadingState {
   double step = 0.0;               ///< pseudo-time of the last increment (s); 0 before the first
@@ -137,6 +146,7 @@ struct State {
   StageState stage;
   RelaxationState relaxation;
   LoadingState loading;
+  CrackState cracks;
   EnergyLedger ledger;
 };
 

@@ -94,6 +94,13 @@ void add_arrays(VtkhdfImage& image, hid_t parent, const std::vector<FieldArray>&
   }
 }
 
+Hdf5Handle open_to_read(const Hdf5Checker& check, const std::filesystem::path& path) {
+  const Hdf5Handle access = check.own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, read_action);
+  // Published files never change, and some network file systems have no locks.
+  check.expect(H5Pset_file_locking(access.get(), false, true), read_action);
+  return check.own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose, read_action);
+}
+
 void check_geometry(const FieldGroup& group, std::size_t n_points) {
   if (group.points.size() % 3 != 0 || group.connectivity.size() % points_per_cell(group.cell_type) != 0) {
     throw std::logic_error(fmt::format("fields '{}': incomplete points or cells", group.name));
@@ -119,13 +126,23 @@ void write_vtkhdf(const std::filesystem::path& final_path, const FieldGroup& gro
   write_atomically(final_path, image.bytes());
 }
 
+std::vector<double> read_field_array(const std::filesystem::path& path, const std::string& name) {
+  const Hdf5Checker check(path);
+  const auto own = [&check](hid_t id, Hdf5Handle::Release release) { return check.own(id, release, read_action); };
+  const Hdf5Handle file = open_to_read(check, path);
+  const Hdf5Handle dataset = own(H5Dopen2(file.get(), ("VTKHDF/" + name).c_str(), H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle space = own(H5Dget_space(dataset.get()), H5Sclose);
+  const hssize_t n_values = H5Sget_simple_extent_npoints(space.get());
+  check.expect(n_values, read_action);
+  std::vector<double> values(static_cast<std::size_t>(n_values));
+  check.expect(H5Dread(dataset.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), read_action);
+  return values;
+}
+
 FieldStamp read_field_stamp(const std::filesystem::path& path) {
   const Hdf5Checker check(path);
   const auto own = [&check](hid_t id, Hdf5Handle::Release release) { return check.own(id, release, read_action); };
-  const Hdf5Handle access = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // Published files never change, and some network file systems have no locks.
-  check.expect(H5Pset_file_locking(access.get(), false, true), read_action);
-  const Hdf5Handle file = own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+  const Hdf5Handle file = open_to_read(check, path);
   const Hdf5Handle root = own(H5Gopen2(file.get(), "VTKHDF", H5P_DEFAULT), H5Gclose);
   FieldStamp stamp;
   const Hdf5Handle step = own(H5Aopen(root.get(), "step", H5P_DEFAULT), H5Aclose);

@@ -42,4 +42,8 @@ void write_vtkhdf(const std::filesystem::path& final_path, const FieldGroup& gro
 /// What write_vtkhdf wrote as step and time; FileError if the file cannot be read or has none.
 [[nodiscard]] FieldStamp read_field_stamp(const std::filesystem::path& path);
 
+/// The values of an array such as "Points", "Connectivity" or "CellData/damage", row by row, integers as numbers too;
+/// FileError if the file cannot be read or has no such array.
+[[nodiscard]] std::vector<double> read_field_array(const std::filesystem::path& path, const std::string& name);
+
 }  // namespace ligament

@@ -11,7 +11,7 @@ using namespace ligament::test;
 namespace {
 
 const std::string config = LIGAMENT_SOURCE_DIR "/config/";
-const std::vector<std::string> commands{"run",  "resume", "check",   "compare", "audit",
+const std::vector<std::string> commands{"run",  "resume", "check",   "compare", "audit",    "report",
                                         "info", "laws",   "explain", "schema",  "reference"};
 
 }  // namespace

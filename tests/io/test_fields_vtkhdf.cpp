@@ -60,6 +60,7 @@ TEST_CASE("a group is stored in the layout of VTKHDF UnstructuredGrid 1.0") {
   const auto path = scratch_folder("vtkhdf") / "elements_000120.hdf";
   write_vtkhdf(path, two_elements(), 120, 0.375);
   CHECK_FALSE(std::filesystem::exists(ligament::part_path(path)));
+  CHECK(ligament::read_field_array(path, "Points").size() % 3 == 0);
   const auto stamp = read_field_stamp(path);
   CHECK(stamp.step == 120);
   CHECK(stamp.time_s == 0.375);

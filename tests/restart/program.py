@@ -72,7 +72,8 @@ class ProgramTest(unittest.TestCase):
     def results(self, run):
         """Content of all result files of a run, by name."""
         folder = self.folder / run
-        files = [folder / "history.csv", folder / "energy.csv", *sorted((folder / "fields").iterdir())]
+        tables = [folder / name for name in ("history.csv", "energy.csv", "cracks.csv")]
+        files = [*tables, *sorted((folder / "fields").iterdir())]
         return {str(file.relative_to(folder)): file.read_bytes() for file in files}
 
     def unfinished(self):

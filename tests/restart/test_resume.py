@@ -69,6 +69,25 @@ class Resume(ProgramTest):
         self.assert_same_results("pieces", "whole")
         self.assertGreater(self.summary("whole")["n_broken"], 0)
 
+    def test_breaks_are_recorded_and_counted_once(self):
+        # Contacts that break leave the list when they have opened by so little.
+        run = [TENSION, "--quiet", *settings(contact__skin='"2 um"', output__fields_every=10)]
+        self.call("run", *run, "--output", "whole")
+        rows = (self.folder / "whole" / "cracks.csv").read_text().splitlines()[1:]
+        steps = [int(row.split(",")[0]) for row in rows]
+        self.assertGreater(len(steps), 10)
+        self.assertGreater(len(steps), len(set(steps)), "several bonds break in one increment")
+        self.call("run", *run, "--output", "pieces", "--stop-after-steps", 1)
+        for step in sorted(set(steps)):
+            self.call("resume", "pieces", "--until-step", step, "--quiet")
+            self.assertEqual(self.summary("pieces")["n_broken"], sum(1 for other in steps if other <= step))
+        self.call("resume", "pieces", "--quiet")
+        self.assert_same_results("pieces", "whole")
+        whole, pieces = self.summary("whole"), self.summary("pieces")
+        self.assertEqual(whole["n_broken_tension"] + whole["n_broken_shear"], len(steps))
+        for name in ("n_broken", "n_broken_tension", "n_broken_shear", "crack", "final_state_hash"):
+            self.assertEqual(pieces[name], whole[name])
+
     def test_what_is_written_when_changes_no_bit_of_the_run(self):
         schedules = [
             {"checkpoint__every": 1},

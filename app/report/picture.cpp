@@ -110,7 +110,8 @@ std::string Picture::svg_key(const Figure& figure) const {
   for (const Layer& layer : layers_) {
     if (!has_key(layer)) continue;
     const double left = 0.5 * figure.width - 190.0 + 200.0 * (number % keys_per_line);
-    const double height = top + key_line * static_cast<double>(number / keys_per_line);
+    const int line = number / keys_per_line;
+    const double height = top + key_line * line;
     text += fmt::format(
         "<path d=\"M{:.1f} {:.1f}h28\" stroke=\"{}\" stroke-width=\"{}\"/><text x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
         left, height, layer.colour, layer.width, left + 36.0, height + 4.5, layer.title);

@@ -46,7 +46,7 @@ class Picture {
   [[nodiscard]] std::string svg_layer(const Layer& layer) const;
   [[nodiscard]] std::string svg_key(const Figure& figure) const;
   [[nodiscard]] std::string script(const Figure& figure) const;
-  void include(const Vector& point, double margin);
+  void include(const Vector& point, double around);
 
   std::vector<Layer> layers_;
   Vector lowest_ = uniform_vector(1e300);

@@ -113,7 +113,7 @@ fs::path write_report(const fs::path& run, const ReportOptions& options) {
   for (Figure& figure : crack_pictures(run, step, options.scale, folder)) figures.push_back(std::move(figure));
   figures.push_back(energy_figure(read_csv(run / "energy.csv"), "../energy.csv"));
   for (const Figure& figure : figures) draw(figure, folder);
-  const fs::path html = folder / "report.html";
+  fs::path html = folder / "report.html";
   write_atomically(html, page(run, folder, figures));
   return html;
 }

@@ -69,13 +69,14 @@ TEST_CASE("fields have names of their own") {
   CHECK(names.contains("facet_contacts.history.law.damage"));
 }
 
-TEST_CASE("only what the audit and the gauges read off is sampled") {
+TEST_CASE("only what the audit, the gauges and the count of breaks read off is sampled") {
   State state = filled_state();
   std::set<std::string> sampled;
   visit_fields(state, [&](const std::string& name, auto&, FieldRole role) {
     if (role == FieldRole::sampled) sampled.insert(name);
   });
-  CHECK(sampled == std::set<std::string>{"ledger.scale", "ledger.largest_error", "stage.peaks", "stage.readings"});
+  CHECK(sampled == std::set<std::string>{"ledger.scale", "ledger.largest_error", "stage.peaks", "stage.readings",
+                                         "cracks.n_tension", "cracks.n_shear"});
 }
 
 TEST_CASE("a constant state is visited the same way") {

@@ -88,6 +88,13 @@ class Resume(ProgramTest):
         for name in ("n_broken", "n_broken_tension", "n_broken_shear", "crack", "final_state_hash"):
             self.assertEqual(pieces[name], whole[name])
 
+    def test_the_record_of_breaks_does_not_depend_on_when_rows_are_written(self):
+        self.call("run", TENSION, "--output", "every", "--quiet")
+        self.call("run", TENSION, "--output", "seldom", "--quiet", *settings(output__every=1000))
+        every, seldom = self.results("every"), self.results("seldom")
+        self.assertGreater(every["cracks.csv"].count(b"\n"), 10)
+        self.assertEqual(seldom["cracks.csv"], every["cracks.csv"])
+
     def test_what_is_written_when_changes_no_bit_of_the_run(self):
         schedules = [
             {"checkpoint__every": 1},

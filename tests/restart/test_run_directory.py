@@ -90,8 +90,9 @@ class RunDirectory(ProgramTest):
         case = CONFIG / "column_hexagonal_h1.toml"
         self.call("run", case, "--quiet", *settings(solver__max_steps=50), expect=NOT_CONVERGED)
         run = self.folder / "results" / "column_hexagonal_h1"
-        names = {"case.toml", "case_resolved.toml", "run.json", "run.log", "history.csv", "energy.csv", "summary.json"}
-        self.assertEqual({path.name for path in run.iterdir()}, names | {"fields"})
+        names = {"case.toml", "case_resolved.toml", "run.json", "run.log", "summary.json"}
+        names |= {"history.csv", "energy.csv", "cracks.csv", "fields"}
+        self.assertEqual({path.name for path in run.iterdir()}, names)
         self.assertEqual((run / "case.toml").read_bytes(), case.read_bytes())
         self.assertIn("max_steps = 50", (run / "case_resolved.toml").read_text())
         folder = self.checkpoints(run)[0].parent

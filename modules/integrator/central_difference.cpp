@@ -5,11 +5,12 @@
 
 #include "core/block_sum.hpp"
 #include "core/parallel.hpp"
+#include "integrator/ledger_lines.hpp"
+#include "integrator/move_bodies.hpp"
 
 namespace ligament {
 namespace {
 
-constexpr const char* damping_line = "damping";
 constexpr const char* step_change_line = "step_change";
 
 /// Rows of a table.
@@ -17,20 +18,6 @@ struct Rows {
   std::size_t begin;
   std::size_t end;
 };
-
-void move(TranslationState& bodies, double time_step, const Rows& rows) {
-  for (std::size_t i = rows.begin; i < rows.end; ++i) {
-    bodies.increment[i] = time_step * bodies.velocity[i];
-    bodies.displacement[i] += bodies.increment[i];
-  }
-}
-
-void move(RotationState& bodies, double time_step, const Rows& rows) {
-  for (std::size_t i = rows.begin; i < rows.end; ++i) {
-    bodies.increment[i] = time_step * bodies.spin[i];
-    bodies.rotation[i] += bodies.increment[i];
-  }
-}
 
 // Both dampings act on the mean of v(n-½) and v(n+½), as their work does: they never give energy, and the step stays
 // stable up to 2/ω. Local damping at most stops that mean.
@@ -128,16 +115,7 @@ double kinetic_energy(const RotationState& bodies) {
 
 }  // namespace
 
-void CentralDifference::update_positions(const Model& model, State& state) const {
-  const double time_step = state.clock.time_step;
-  parallel_ranges(model.particles.size(), [&](std::size_t begin, std::size_t end) {
-    move(state.particles.translation, time_step, {begin, end});
-    move(state.particles.rotation, time_step, {begin, end});
-  });
-  parallel_ranges(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
-    move(state.nodes.translation, time_step, {begin, end});
-  });
-}
+void CentralDifference::update_positions(const Model& /*model*/, State& state) const { move_bodies(state); }
 
 void CentralDifference::update_velocities(const Model& model, State& state) {
   coefficients_ = damping_->coefficients(model, state);
@@ -155,7 +133,7 @@ void CentralDifference::book_work(const Model& model, State& state) {
   // Without damping what the motion shows beyond the forces is rounding.
   const bool is_damped = coefficients_.viscous != 0.0 || coefficients_.local != 0.0;
   const HalfWorks damping = is_damped ? damping_work(model, state) : HalfWorks{};
-  state.ledger[state.ledger.open(damping_line)].book(damping.behind, damping.ahead);
+  state.ledger[state.ledger.open(ledger_lines::damping)].book(damping.behind, damping.ahead);
 
   HalfWorks step_change;
   if (state.clock.time_step != state.clock.time_step_before) {
@@ -170,7 +148,7 @@ std::vector<EnergyTerm> CentralDifference::energies(const Model& /*model*/, cons
   return {{"kinetic_particles", EnergyKind::kinetic, kinetic_energy(state.particles.translation)},
           {"kinetic_rotation", EnergyKind::kinetic, kinetic_energy(state.particles.rotation)},
           {"kinetic_nodes", EnergyKind::kinetic, kinetic_energy(state.nodes.translation)},
-          {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(damping_line)},
+          {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(ledger_lines::damping)},
           {"step_change", EnergyKind::work, state.ledger.total(step_change_line)}};
 }
 

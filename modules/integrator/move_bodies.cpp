@@ -5,30 +5,37 @@
 namespace ligament {
 namespace {
 
-void move(TranslationState& bodies, double time_step) {
-  parallel_ranges(bodies.displacement.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      bodies.increment[i] = time_step * bodies.velocity[i];
-      bodies.displacement[i] += bodies.increment[i];
-    }
-  });
+/// Rows of a table.
+struct Rows {
+  std::size_t begin;
+  std::size_t end;
+};
+
+void move(TranslationState& bodies, double time_step, const Rows& rows) {
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
+    bodies.increment[i] = time_step * bodies.velocity[i];
+    bodies.displacement[i] += bodies.increment[i];
+  }
 }
 
-void move(RotationState& bodies, double time_step) {
-  parallel_ranges(bodies.rotation.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      bodies.increment[i] = time_step * bodies.spin[i];
-      bodies.rotation[i] += bodies.increment[i];
-    }
-  });
+void move(RotationState& bodies, double time_step, const Rows& rows) {
+  for (std::size_t i = rows.begin; i < rows.end; ++i) {
+    bodies.increment[i] = time_step * bodies.spin[i];
+    bodies.rotation[i] += bodies.increment[i];
+  }
 }
 
 }  // namespace
 
 void move_bodies(State& state) {
-  move(state.particles.translation, state.clock.time_step);
-  move(state.particles.rotation, state.clock.time_step);
-  move(state.nodes.translation, state.clock.time_step);
+  const double time_step = state.clock.time_step;
+  parallel_ranges(state.particles.rotation.rotation.size(), [&](std::size_t begin, std::size_t end) {
+    move(state.particles.translation, time_step, {begin, end});
+    move(state.particles.rotation, time_step, {begin, end});
+  });
+  parallel_ranges(state.nodes.translation.displacement.size(), [&](std::size_t begin, std::size_t end) {
+    move(state.nodes.translation, time_step, {begin, end});
+  });
 }
 
 }  // namespace ligament

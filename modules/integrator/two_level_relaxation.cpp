@@ -2,14 +2,10 @@
 
 #include "core/parameters.hpp"
 #include "integrator/freedom_columns.hpp"
+#include "integrator/ledger_lines.hpp"
 #include "integrator/move_bodies.hpp"
 
 namespace ligament {
-namespace {
-
-constexpr const char* damping_line = "damping";
-
-}  // namespace
 
 void TwoLevelRelaxation::declare(Parameters& parameters) {
   bounds_.declare(parameters);
@@ -45,14 +41,15 @@ void TwoLevelRelaxation::update_velocities(const Model& model, State& state) {
 void TwoLevelRelaxation::book_work(const Model& model, State& state) {
   const std::vector<double> behind = free_increments(model, state);
   const std::vector<double> ahead = free_velocities(model, state);
-  state.ledger[state.ledger.open(damping_line)].book(0.5 * product(drag_, behind), 0.5 * product(drag_, ahead));
+  state.ledger[state.ledger.open(ledger_lines::damping)].book(0.5 * product(drag_, behind),
+                                                              0.5 * product(drag_, ahead));
 }
 
 std::vector<EnergyTerm> TwoLevelRelaxation::energies(const Model& model, const State& state) const {
   const std::vector<double> before = free_velocities_before(model, state);
   return {{"kinetic_free", EnergyKind::kinetic, 0.5 * product(before, state.relaxation.momentum)},
           {"kinetic_prescribed", EnergyKind::kinetic, prescribed_kinetic_energy(model, state)},
-          {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(damping_line)}};
+          {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(ledger_lines::damping)}};
 }
 
 }  // namespace ligament

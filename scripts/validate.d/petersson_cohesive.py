@@ -42,7 +42,7 @@ def cohesive_section(folder, beams):
     lines = ["## Beside the cohesive solution for the same concrete", "",
              "Strength and fracture energy of specimens of 100 × 200 mm of this concrete in their own tension tests "
              "([concrete](concrete.md)), and the peak that the cohesive-crack model (Rokugo's softening, sharp notch) has "
-             "for these two, interpolated in [a table](data/README.md). A tension specimen chooses its weakest section "
-             "where the notch forces one on the beam, so that the beam is the stronger one; there is no target.", ""]
+             "for these two, interpolated in [a table](data/README.md). There is no target. One reason for "
+             "a difference: a tension specimen chooses its weakest section, the notch forces one on the beam.", ""]
     return lines + table(["seed", "tension: strength (MPa)", "fracture energy (N/m)", "cohesive peak (N)",
                           "peak of the beam (N)", "difference"], rows)

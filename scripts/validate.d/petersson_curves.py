@@ -36,7 +36,8 @@ plot {", ".join(parts)}
 def curves_section(folder, beams):
     lines = ["## Load over deflection, and over the opening of the crack mouth", "",
              "Beside the cohesive-crack model with a vertical crack ([data](data/README.md)); these lines are calculations, "
-             "too. The lowest has the macroscopic strength and fracture energy of the paper's Table 4.", ""]
+             "too. The lowest has the macroscopic strength and fracture energy of the paper's Table 4. The beam of particles rises "
+             "with the same stiffness and softens faster than any of them.", ""]
     lines += plot(curves(folder, beams, 1, 0.8, "deflection (mm)"), "petersson_deflection",
                   "Load over deflection of Petersson's beam")
     return lines + plot(curves(folder, beams, 2, 0.3, "opening of the crack mouth (mm)"), "petersson_cmod",

@@ -2,6 +2,8 @@
 from petersson_targets import STIFFNESS_FROM, STIFFNESS_TO
 from validation import run_case
 
+LIGAMENT_AREA = 0.1 * 0.05  # m², above the notch
+
 
 def load_at(rows, deflection):
     """The load at a deflection before the peak, linear between the rows."""
@@ -38,6 +40,8 @@ class Beam:
         self.imbalance = largest_imbalance(self.rows)
         self.ledger = self.run.rows("energy")[-1]
         self.work = self.ledger["prescribed_motions_J"]
+        self.work_over_ligament = self.work / LIGAMENT_AREA
+        """Work up to the end (J/m²)."""
         self.is_followed = self.summary["ended"] == "completed" and self.rows[-1]["load_N"] <= 0.2 * self.peak
         """Whether the curve was followed down to a fifth of the peak."""
 

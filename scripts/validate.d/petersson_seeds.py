@@ -54,9 +54,10 @@ def fracture_rows(beams):
     yield row_of_all("— that opened more than they slid", [opened for opened, _ in broken], "{:.0f}", "", "")
     yield row_of_all("— that slid more than they opened", [slid for _, slid in broken], "{:.0f}", "", "")
     yield row_of_all("work to the end (mJ)", [beam.work * 1e3 for beam in beams], "{:.1f}", "", "")
+    yield row_of_all("work over the ligament (N/m)", [beam.work_over_ligament for beam in beams], "{:.1f}", "", "")
     for label, name in (("spent in tension", "fracture_tension"), ("spent in shear", "fracture_shear"),
                         ("spent in friction", "friction"), ("set free at jumps", "released")):
-        yield row_of_all(f"— {label}", [beam.share_of_work(name) for beam in beams], "{:.1%}", "", "")
+        yield row_of_all(f"— of the work, {label}", [beam.share_of_work(name) for beam in beams], "{:.1%}", "", "")
 
 
 def run_rows(beams, verdicts):

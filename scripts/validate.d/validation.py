@@ -101,3 +101,13 @@ def plot(script, name, caption):
     head = f"set terminal pngcairo size 900,540 font 'sans,11'\nset output '{picture}'\n"
     subprocess.run(["gnuplot"], input=head + script, text=True, check=True)
     return [f"![{caption}]({picture.name})", ""]
+
+
+def write_page(name, title, introduction, lines, verdicts):
+    """Writes docs/validation/NAME.md; the exit code of the validation."""
+    head = [f"# {title}", "", introduction, "",
+            f"Targets missed: {'; '.join(verdicts.missed) if verdicts.missed else 'none'}.", ""]
+    page = PAGES / f"{name}.md"
+    page.write_text("\n".join(head + lines).rstrip() + "\n")
+    print(f"wrote {page.relative_to(ROOT)}; targets missed: {len(verdicts.missed)}")
+    return 1 if verdicts.missed else 0

@@ -1,0 +1,45 @@
+"""How the peak depends on the increment and on the criterion of equilibrium."""
+from petersson_run import Beam
+from petersson_targets import LEDGER_TOLERANCE, PEAK_CHANGE_TOLERANCE
+from validation import table
+
+SEEDS = (1, 2)
+VARIANTS = (  # label, overrides, whether the peak may not change
+    ("increment 1.5 μm, half of the case's", ('solver.increment="1.5 um"',), True),
+    ("criterion of equilibrium a quarter", ("solver.unbalanced_force_ratio=1.25e-3", "solver.force_mismatch=2.5e-4"), True),
+    ("criterion of equilibrium a sixteenth", ("solver.unbalanced_force_ratio=3.125e-4", "solver.force_mismatch=6.25e-5"),
+     False),
+    ("increment 1 μm", ('solver.increment="1 um"',), False),
+    ("increment 6 μm", ('solver.increment="6 um"',), False),
+)
+
+
+def verdict_on(label, beam, of_case, is_asked, verdicts):
+    """The change of the peak, where it is asked for; the ledger must be right in every run."""
+    change, error = beam.peak / of_case.peak - 1.0, beam.summary["energy_error"]
+    what = f"Petersson, seed {beam.seed}, {label}"
+    ledger = verdicts.of(error <= LEDGER_TOLERANCE, f"{what}: ledger ({error:.1e})")
+    peak = verdicts.of(abs(change) < PEAK_CHANGE_TOLERANCE, f"{what}: peak ({change:+.2%})") if is_asked else "not asked"
+    return f"peak: {peak}, ledger: {ledger}"
+
+
+def variant_row(label, beam, of_case, verdict):
+    change = beam.peak / of_case.peak - 1.0
+    return [f"{beam.seed}", label, f"{beam.peak:.1f}", f"{change:+.2%}", f"{beam.deflection_at_peak * 1e3:.3f}",
+            f"{beam.work * 1e3:.1f}", f"{beam.share_of_work('released'):.1%}", f"{beam.summary['energy_error']:.1e}",
+            f"{beam.summary['n_broken']}", f"{beam.summary['n_evaluations']}", f"{beam.run.wall:.1f}", verdict]
+
+
+def increments_section(folder, beams, verdicts):
+    rows = []
+    for of_case in (beam for beam in beams if beam.seed in SEEDS):
+        rows.append(variant_row("the case, 3 μm", of_case, of_case, ""))
+        for label, overrides, is_asked in VARIANTS:
+            beam = Beam(folder, of_case.seed, overrides)
+            rows.append(variant_row(label, beam, of_case, verdict_on(label, beam, of_case, is_asked, verdicts)))
+    lines = ["## Increment and criterion of equilibrium", "",
+             f"With half the increment, and with a quarter of the unbalanced forces, the peak should change by less than "
+             f"{PEAK_CHANGE_TOLERANCE:.0%}; the others are for information. The ledger has its target of "
+             f"{LEDGER_TOLERANCE:.0e} in every run.", ""]
+    return lines + table(["seed", "", "peak (N)", "change", "at (mm)", "work (mJ)", "set free", "ledger error",
+                          "broken", "evaluations", "s", ""], rows)

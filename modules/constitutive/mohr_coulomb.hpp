@@ -95,7 +95,7 @@ struct MohrCoulomb : MohrCoulombStrength {
   /// and leaves depends on the order in which they do.
   void soften_on_the_way(const ContactInput& input, ContactForce& force, History& history) const {
     const double opening_before = opening_of(input, force, history);
-    const double parts_to_the_end = 64.0;
+    const double parts_to_the_end = 512.0;
     const double way = std::max(std::abs(input.opening - opening_before) / tension().end(),
                                 std::abs(input.slip_increment) / shear().end());
     const double n_parts = std::clamp(std::ceil(parts_to_the_end * way), 1.0, 4.0 * parts_to_the_end);

@@ -1,3 +1,4 @@
+#include "build/generate_packings.hpp"
 #include "contact/particle_search.hpp"
 #include "counters.hpp"
 #include "lattice.hpp"
@@ -17,6 +18,18 @@ void hexagonal_packing(benchmark::State& run) {
   count_items(run, "particles", n_particles);
 }
 BENCHMARK(hexagonal_packing)->Arg(10'000)->Unit(benchmark::kMicrosecond);
+
+/// The random assembly R1, and the graded one of the notched beam.
+void case_packing(benchmark::State& run, const std::string& path) {
+  Case input = read_case(path, {});
+  std::size_t n_particles = 0;
+  for ([[maybe_unused]] auto _ : run) n_particles = generate_packings(input).front().size();
+  count_items(run, "particles", n_particles);
+}
+BENCHMARK_CAPTURE(case_packing, column_random_r1, LIGAMENT_SOURCE_DIR "/config/column_random_r1.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(case_packing, petersson_beam, LIGAMENT_SOURCE_DIR "/config/petersson_beam.toml")
+    ->Unit(benchmark::kMillisecond);
 
 void particle_search(benchmark::State& run) {
   const Model model = lattice_model(static_cast<std::size_t>(run.range(0)));

@@ -79,8 +79,8 @@ class IncrementalLoading : public EnergySource {
                           const std::vector<double>& loads) const;
   /// The work along the straight line from the last equilibrium to this one, on which the contacts, too, take their
   /// history from one to the other.
-  Work line_work(const Model& model, State& state, const ForceEvaluation& evaluation,
-                 const std::vector<double>& motion);
+  Work line_work(const Model& model, State& state, const ForceEvaluation& evaluation, const std::vector<double>& motion,
+                 bool is_smooth);
   static void book(const Work& along_equilibria, const Work& along_line, EnergyLedger& ledger);
   static std::vector<double> applied_loads(const Model& model, State& state, const ForceEvaluation& evaluation);
   [[nodiscard]] std::vector<double> prescribed_motion(const Model& model, const State& state, double step) const;

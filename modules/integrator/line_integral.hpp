@@ -5,9 +5,10 @@
 namespace ligament {
 
 /// Integral of a rate over [0, 1] by Simpson's rule, halving the intervals until the integral's `measure` changes by no
-/// more than the tolerance, at most 1024 of them. `begin` and `end` are the rates at 0 and 1.
+/// more than the tolerance, from `fewest` to 1024 of them. `begin` and `end` are the rates at 0 and 1.
 template <class Value, class Rate, class Measure>
-Value line_integral(const Value& begin, const Value& end, Rate&& rate, Measure&& measure, double tolerance) {
+Value line_integral(const Value& begin, const Value& end, Rate&& rate, Measure&& measure, std::size_t fewest,
+                    double tolerance) {
   constexpr std::size_t most_intervals = 1024;
   Value trapezoid = 0.5 * (begin + end);
   Value simpson = trapezoid;
@@ -19,7 +20,7 @@ Value line_integral(const Value& begin, const Value& end, Rate&& rate, Measure&&
     const double change = measure(better) - measure(simpson);
     trapezoid = finer;
     simpson = better;
-    if ((change < 0.0 ? -change : change) <= tolerance) break;
+    if (n >= fewest && (change < 0.0 ? -change : change) <= tolerance) break;
   }
   return simpson;
 }

@@ -5,29 +5,17 @@
 #include <algorithm>
 #include <map>
 
+#include "core/rectangle.hpp"
+
 namespace ligament {
 namespace {
 
 /// Whether a wall has points inside a zone that is made smaller on all sides by a part of its size, larger if that is
-/// negative (after Liang and Barsky).
+/// negative.
 bool runs_through(const WallTable& wall, const ZoneTable& zone, double part) {
-  const Vector from = to_vector(wall.from);
-  const Vector along = to_vector(wall.to) - from;
-  double enter = 0.0;
-  double leave = 1.0;
-  for (int axis = 0; axis < dimension; ++axis) {
-    const double margin = part * (zone.to[axis] - zone.from[axis]);
-    const double low = zone.from[axis] + margin - component(from, axis);
-    const double high = zone.to[axis] - margin - component(from, axis);
-    const double length = component(along, axis);
-    if (length == 0.0) {
-      if (low > 0.0 || high < 0.0) return false;
-      continue;
-    }
-    enter = std::max(enter, std::min(low / length, high / length));
-    leave = std::min(leave, std::max(low / length, high / length));
-  }
-  return enter < leave;
+  const Rectangle region{to_vector(zone.from), to_vector(zone.to)};
+  const Vector margin = part * region.size();
+  return share_inside({region.from + margin, region.to - margin}, to_vector(wall.from), to_vector(wall.to)) > 0.0;
 }
 
 /// Rounding of places, over the size of a zone.

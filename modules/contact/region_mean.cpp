@@ -11,25 +11,6 @@ bool is_inside(const Rectangle& region, const Vector& place) {
   return place.x >= region.from.x && place.x <= region.to.x && place.y >= region.from.y && place.y <= region.to.y;
 }
 
-/// The share of the line from a to b that lies inside (Liang and Barsky).
-double share_inside(const Rectangle& region, const Vector& a, const Vector& b) {
-  double enter = 0.0;
-  double leave = 1.0;
-  for (int axis = 0; axis < dimension; ++axis) {
-    const double start = component(a, axis);
-    const double along = component(b, axis) - start;
-    const double low = component(region.from, axis) - start;
-    const double high = component(region.to, axis) - start;
-    if (along == 0.0) {
-      if (low > 0.0 || high < 0.0) return 0.0;
-      continue;
-    }
-    enter = std::max(enter, std::min(low / along, high / along));
-    leave = std::min(leave, std::max(low / along, high / along));
-  }
-  return std::max(0.0, leave - enter);
-}
-
 /// Force on the second particle of a contact, times the branch.
 SymmetricTensor contribution(const Model& model, const State& state, const Rectangle& region, std::size_t row) {
   const ContactTable& contacts = state.particle_contacts;

@@ -106,6 +106,14 @@ TEST_CASE("the columns carry their load to the support") {
   for (const fs::path& path : columns_at_rest()) {
     CAPTURE(path);
     const Workplace place;
+    // Masses of two levels move contacts farther in a step, whose turn leaves a defect of second order.
+    REQUIRE(place
+                .run({"run", path, "--output", "small_steps", "--set", "audit.every_step=true", "--set",
+                      "solver.method=dynamic_relaxation"})
+                .code == 0);
+    const auto small_steps = nlohmann::json::parse(content_of(place / "small_steps/summary.json"));
+    CHECK(small_steps.at("energy_error").get<double>() < 1e-9);
+    CHECK(small_steps.at("transfer_error").get<double>() < 1e-9);
     REQUIRE(place.run({"run", path, "--output", "run", "--set", "audit.every_step=true"}).code == 0);
     const auto summary = summary_of(place);
     CHECK(summary.at("motion_error").get<double>() < 1e-9);

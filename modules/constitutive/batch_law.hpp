@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "constitutive/frictional.hpp"
+#include "constitutive/intact_bonds.hpp"
 #include "constitutive/point_law.hpp"
 #include "core/block_sum.hpp"
 
@@ -34,17 +35,10 @@ class BatchLaw final : public ConstitutiveLaw {
   }
 
   void evaluate(const ContactBatch& batch) const override {
-    std::array<double, Law::n_history> history;
-    for (std::size_t i = 0; i < batch.opening.size(); ++i) {
-      const ContactInput input{batch.opening[i], batch.slip_increment[i], batch.normal_stiffness[i],
-                               batch.shear_stiffness[i], batch.area[i]};
-      ContactForce force{batch.normal_force[i], batch.shear_force[i], batch.bond[i]};
-      for (std::size_t k = 0; k < Law::n_history; ++k) history[k] = batch.history[k][i];
-      law_.evaluate(input, force, history);
-      batch.normal_force[i] = force.normal;
-      batch.shear_force[i] = force.shear;
-      batch.bond[i] = force.bond;
-      for (std::size_t k = 0; k < Law::n_history; ++k) batch.history[k][i] = history[k];
+    if constexpr (requires { law_.intact_limits(); }) {
+      evaluate_damaged(batch);
+    } else {
+      for (std::size_t i = 0; i < batch.opening.size(); ++i) evaluate_one(batch, i);
     }
   }
 
@@ -69,6 +63,31 @@ class BatchLaw final : public ConstitutiveLaw {
   }
 
  private:
+  /// Intact bonds all together, the others one by one.
+  void evaluate_damaged(const ContactBatch& batch) const {
+    LeftToLaw left;
+    for (std::size_t begin = 0; begin < batch.opening.size(); begin += intact_chunk) {
+      const std::size_t count = std::min(intact_chunk, batch.opening.size() - begin);
+      if (carry_intact(law_.intact_limits(), batch, begin, count, left) == 0) continue;
+      for (std::size_t i = 0; i < count; ++i) {
+        if (left[i] != 0) evaluate_one(batch, begin + i);
+      }
+    }
+  }
+
+  void evaluate_one(const ContactBatch& batch, std::size_t i) const {
+    const ContactInput input{batch.opening[i], batch.slip_increment[i], batch.normal_stiffness[i],
+                             batch.shear_stiffness[i], batch.area[i]};
+    ContactForce force{batch.normal_force[i], batch.shear_force[i], batch.bond[i]};
+    std::array<double, Law::n_history> history;
+    for (std::size_t k = 0; k < Law::n_history; ++k) history[k] = batch.history[k][i];
+    law_.evaluate(input, force, history);
+    batch.normal_force[i] = force.normal;
+    batch.shear_force[i] = force.shear;
+    batch.bond[i] = force.bond;
+    for (std::size_t k = 0; k < Law::n_history; ++k) batch.history[k][i] = history[k];
+  }
+
   Law law_;
 };
 

@@ -50,7 +50,7 @@ struct MohrCoulomb : MohrCoulombStrength {
   void evaluate(const ContactInput& input, ContactForce& force, History& history) const {
     const double normal = -input.normal_stiffness * input.opening;
     const ShearVector shear = force.shear - input.shear_stiffness * input.slip_increment;
-    if (force.bond == BondState::bonded && carries(input.area, normal, shear)) {
+    if (force.bond == BondState::bonded && intact_limits().carries(input.area, normal, shear)) {
       force.normal = normal;
       force.shear = shear;
     } else if (force.bond == BondState::bonded || force.bond == BondState::softening) {

@@ -27,7 +27,7 @@ struct MohrCoulombBrittle : MohrCoulombStrength {
     if (force.bond != BondState::bonded) return slide(input, force, history[friction_work]);
     const double normal = -input.normal_stiffness * input.opening;
     const ShearVector shear = force.shear - input.shear_stiffness * input.slip_increment;
-    if (carries(input.area, normal, shear)) {
+    if (intact_limits().carries(input.area, normal, shear)) {
       force.normal = normal;
       force.shear = shear;
     } else {

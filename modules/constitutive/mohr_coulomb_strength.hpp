@@ -1,16 +1,13 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "constitutive/frictional.hpp"
+#include "constitutive/intact_bonds.hpp"
 #include "constitutive/point_law.hpp"
 #include "core/parameters.hpp"
 
 namespace ligament {
 
-/// The strength of an undamaged bond: tension up to σ_t A, shear up to C A + μ F_n with F_n > 0. In tension there is no
-/// friction term (Mohr-Coulomb with a tension cut-off).
+/// The strength of an undamaged bond, as its laws have it.
 struct MohrCoulombStrength {
   double tensile_strength = 0.0;      ///< σ_t (Pa)
   double cohesion = 0.0;              ///< C (Pa)
@@ -26,11 +23,7 @@ struct MohrCoulombStrength {
     parameters.number("friction_coefficient", friction_coefficient, "friction coefficient μ").required().at_least(0.0);
   }
 
-  /// Whether an undamaged bond of this area carries these forces (N).
-  [[nodiscard]] bool carries(double area, double normal, ShearVector shear) const {
-    return normal >= -tensile_strength * area &&
-           std::abs(shear) <= cohesion * area + friction_coefficient * std::max(0.0, normal);
-  }
+  [[nodiscard]] IntactLimits intact_limits() const { return {tensile_strength, cohesion, friction_coefficient}; }
 
   /// The step of a broken bond: contact with friction.
   void slide(const ContactInput& input, ContactForce& force, double& friction_work) const {

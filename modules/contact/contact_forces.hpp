@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "contact/contact_ends.hpp"
 #include "contact/contact_springs.hpp"
 #include "contact/law_ranges.hpp"
@@ -51,12 +53,6 @@ class ContactForces : public ForceProvider {
   }
 
  private:
-  /// What passes between kinematics, law and forces of a block.
-  struct BlockMotion {
-    std::array<ContactGeometry, block_size> geometry;
-    std::array<ShearVector, block_size> slip_increment;
-  };
-
   void add_forces_by_contact(const Model& model, State& state) const {
     const ContactTable& contacts = Pairing::table(state);
     if (contacts.size() == 0) return;
@@ -95,15 +91,12 @@ class ContactForces : public ForceProvider {
     fetch_forces(ends_.at_nodes(), state.nodes);
   }
 
-  static void measure_motion(const Model& model, State& state, const LawBlock& block, BlockMotion& block_motion) {
+  static void measure_motion(const Model& model, State& state, const LawBlock& block, BlockMotion& motion) {
+    Pairing::measure(model, state, block, motion);
     ContactTable& contacts = Pairing::table(state);
+    std::copy_n(motion.opening.begin(), block.size(), contacts.opening.begin() + block.begin);
     for (std::size_t i = 0; i < block.size(); ++i) {
-      const std::size_t row = block.begin + i;
-      const ContactMotion motion = Pairing::motion(model, state, row);
-      block_motion.geometry[i] = motion.geometry;
-      block_motion.slip_increment[i] = motion.slip_increment;
-      contacts.opening[row] = motion.opening;
-      contacts.shear_displacement[row] += motion.slip_increment;
+      contacts.shear_displacement[block.begin + i] += motion.slip_increment[i];
     }
   }
 
@@ -121,10 +114,11 @@ class ContactForces : public ForceProvider {
                            Take&& take) {
     for (std::size_t i = 0; i < block.size(); ++i) {
       const std::size_t row = block.begin + i;
-      const Vector& normal = motion.geometry[i].normal;
+      const ContactGeometry geometry = motion.geometry(i);
+      const Vector& normal = geometry.normal;
       const ShearVector shear = contacts.shear_force[row];
       const Vector force = contacts.normal_force[row] * normal + shear * tangent(normal);
-      take(row, Pairing::end_forces(motion.geometry[i], {force, shear}));
+      take(row, Pairing::end_forces(geometry, {force, shear}));
     }
   }
 

@@ -38,25 +38,49 @@ struct PointPairMotion {
   Vector increment;     ///< of that from n-1 to n (m)
 };
 
-/// Two discs of radius R_A and R_B, contact point at the middle of their overlap or gap.
+/// Sine and cosine of the turn of that line from n-1 to n, up to a common factor.
+struct LineTurn {
+  double sine = 0.0;
+  double cosine = 0.0;
+};
+
+inline LineTurn line_turn(const PointPairMotion& pair) {
+  const Vector line = pair.rest + pair.displacement;
+  return {cross(line, pair.increment), dot(line, line - pair.increment)};
+}
+
+/// What two discs have besides the line between their centres.
+struct DiscPair {
+  Rotation turn_first = 0.0;       ///< Δθ_A from n-1 to n (rad)
+  Rotation turn_second = 0.0;      ///< Δθ_B
+  double radius_difference = 0.0;  ///< R_A - R_B (m)
+};
+
+/// Two discs whose line of centres turns by this angle, contact point at the middle of their overlap or gap.
 inline ContactMotion particle_pair_motion(const PointPairMotion& pair, const ContactReference& reference,
-                                          Rotation turn_first, Rotation turn_second, double radius_difference) {
+                                          const DiscPair& discs, double turn) {
   const Vector line = pair.rest + pair.displacement;
   const double distance = norm(line);
   const double previous = reference.previous_distance();
   const double stretch =
       dot(2.0 * pair.rest + pair.displacement, pair.displacement) / (distance + reference.rest_distance);
-  const double turn = turn_angle(cross(line, pair.increment), dot(line, line - pair.increment));
   const double mean_distance = 0.5 * (distance + previous);
-  const double mean_arm_first = 0.5 * (mean_distance + radius_difference);
-  const double mean_arm_second = 0.5 * (mean_distance - radius_difference);
+  const double mean_arm_first = 0.5 * (mean_distance + discs.radius_difference);
+  const double mean_arm_second = 0.5 * (mean_distance - discs.radius_difference);
   ContactMotion motion;
   motion.geometry.normal = (1.0 / distance) * line;
-  motion.geometry.arm_first = 0.5 * (distance + radius_difference);
-  motion.geometry.arm_second = 0.5 * (distance - radius_difference);
+  motion.geometry.arm_first = 0.5 * (distance + discs.radius_difference);
+  motion.geometry.arm_second = 0.5 * (distance - discs.radius_difference);
   motion.opening = stretch + reference.initial_gap;
-  motion.slip_increment = mean_distance * turn - (mean_arm_first * turn_first + mean_arm_second * turn_second);
+  motion.slip_increment =
+      mean_distance * turn - (mean_arm_first * discs.turn_first + mean_arm_second * discs.turn_second);
   return motion;
+}
+
+inline ContactMotion particle_pair_motion(const PointPairMotion& pair, const ContactReference& reference,
+                                          const DiscPair& discs) {
+  const LineTurn turn = line_turn(pair);
+  return particle_pair_motion(pair, reference, discs, turn_angle(turn.sine, turn.cosine));
 }
 
 /// A disc and a node: the contact point is the node, which does not turn.
@@ -64,7 +88,7 @@ inline ContactMotion corner_motion(const PointPairMotion& pair, const ContactRef
                                    Rotation turn_first) {
   // A disc against a disc of no size: the arm of the first is the whole distance.
   const double distance = norm(pair.rest + pair.displacement);
-  ContactMotion motion = particle_pair_motion(pair, reference, 0.0, 0.0, 0.0);
+  ContactMotion motion = particle_pair_motion(pair, reference, {});
   motion.slip_increment -= 0.5 * (distance + reference.previous_distance()) * turn_first;
   motion.geometry.arm_first = distance;
   motion.geometry.arm_second = 0.0;

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
-#include "core/block_sum.hpp"
-
 namespace ligament {
 
 std::vector<LawBlock> law_blocks(const Model& model, const ContactTable& contacts) {
   std::vector<LawBlock> blocks;
-  blocks.reserve(model.laws.size() + contacts.size() / block_size);
+  blocks.reserve(model.laws.size() + contacts.size() / contact_block_size);
   for (std::size_t law = 0; law < model.laws.size(); ++law) {
     const auto range_end = static_cast<std::size_t>(contacts.law_begin[law + 1]);
-    for (auto begin = static_cast<std::size_t>(contacts.law_begin[law]); begin < range_end; begin += block_size) {
+    for (auto begin = static_cast<std::size_t>(contacts.law_begin[law]); begin < range_end;
+         begin += contact_block_size) {
       blocks.push_back(
-          {model.laws[law].law.get(), static_cast<Index>(law), begin, std::min(begin + block_size, range_end)});
+          {model.laws[law].law.get(), static_cast<Index>(law), begin, std::min(begin + contact_block_size, range_end)});
     }
   }
   return blocks;

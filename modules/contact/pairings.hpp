@@ -3,7 +3,7 @@
 #include <array>
 
 #include "contact/contact_bound.hpp"
-#include "contact/kinematics.hpp"
+#include "contact/pair_block.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/stiffness_bounds.hpp"
@@ -36,21 +36,47 @@ inline EndForce force_on_first(const ContactGeometry& geometry, const ContactPoi
   return {-contact.force, -(geometry.arm_first * contact.shear)};
 }
 
+/// Motions of the contacts of a block, for kinds of which there are few.
+template <class Pairing>
+void measure_one_by_one(const Model& model, const State& state, const LawBlock& block, BlockMotion& block_motion) {
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    block_motion.set(i, Pairing::motion(model, state, block.begin + i));
+  }
+}
+
 struct ParticlePairing {
   static constexpr const char* name = "contacts";
   static auto& table(auto& state) { return state.particle_contacts; }
 
-  static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
-    const ContactTable& contacts = state.particle_contacts;
-    const Index a = contacts.first[row];
-    const Index b = contacts.second[row];
+  static PointPairMotion centres(const Model& model, const State& state, std::size_t row) {
+    const Index a = state.particle_contacts.first[row];
+    const Index b = state.particle_contacts.second[row];
     const TranslationState& translation = state.particles.translation;
+    return {model.particles.position[b] - model.particles.position[a],
+            translation.displacement[b] - translation.displacement[a],
+            translation.increment[b] - translation.increment[a]};
+  }
+
+  static DiscPair discs(const Model& model, const State& state, std::size_t row) {
+    const Index a = state.particle_contacts.first[row];
+    const Index b = state.particle_contacts.second[row];
     const RotationState& rotation = state.particles.rotation;
-    const PointPairMotion pair{model.particles.position[b] - model.particles.position[a],
-                               translation.displacement[b] - translation.displacement[a],
-                               translation.increment[b] - translation.increment[a]};
-    return particle_pair_motion(pair, reference_of(contacts, row), rotation.increment[a], rotation.increment[b],
-                                model.particles.radius[a] - model.particles.radius[b]);
+    return {rotation.increment[a], rotation.increment[b], model.particles.radius[a] - model.particles.radius[b]};
+  }
+
+  static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
+    return particle_pair_motion(centres(model, state, row), reference_of(state.particle_contacts, row),
+                                discs(model, state, row));
+  }
+
+  static void measure(const Model& model, const State& state, const LawBlock& block, BlockMotion& motion) {
+    PairBlock pairs;
+    pairs.size = block.size();
+    for (std::size_t i = 0; i < pairs.size; ++i) {
+      const std::size_t row = block.begin + i;
+      pairs.set(i, centres(model, state, row), discs(model, state, row), reference_of(state.particle_contacts, row));
+    }
+    measure_pairs(pairs, motion);
   }
 
   static constexpr std::size_t n_ends = 2;
@@ -96,6 +122,10 @@ struct FacetPairing {
     return facet_motion(facet, reference_of(contacts, row), state.particles.rotation.increment[a]);
   }
 
+  static void measure(const Model& model, const State& state, const LawBlock& block, BlockMotion& block_motion) {
+    measure_one_by_one<FacetPairing>(model, state, block, block_motion);
+  }
+
   static constexpr std::size_t n_ends = 3;
   static constexpr std::array<BodyKind, n_ends> end_kinds{BodyKind::particle, BodyKind::node, BodyKind::node};
 
@@ -138,6 +168,10 @@ struct CornerPairing {
                                nodes.displacement[node] - particles.displacement[a],
                                nodes.increment[node] - particles.increment[a]};
     return corner_motion(pair, reference_of(contacts, row), state.particles.rotation.increment[a]);
+  }
+
+  static void measure(const Model& model, const State& state, const LawBlock& block, BlockMotion& block_motion) {
+    measure_one_by_one<CornerPairing>(model, state, block, block_motion);
   }
 
   static constexpr std::size_t n_ends = 2;

@@ -30,16 +30,21 @@ inline double large_turn_angle(double sine, double cosine) {
   return factor * s * series;
 }
 
-/// The angle (rad, within ±π) whose sine and cosine are given up to a common positive factor. Only + - × ÷ √ are used:
-/// the inverse trigonometric functions of C libraries differ between processors, and runs must not.
-inline double turn_angle(double sine, double cosine) {
-  // Bodies turn by little in a step, and one division will do.
-  const bool is_small = std::abs(sine) < 0.01 * cosine;
-  if (!is_small) return large_turn_angle(sine, cosine);
+/// Whether small_turn_angle() will do. Bodies turn by little in a step.
+inline bool is_small_turn(double sine, double cosine) { return std::abs(sine) < 0.01 * cosine; }
+
+/// turn_angle() of small turns: no branches, and one division.
+inline double small_turn_angle(double sine, double cosine) {
   const double tangent = sine / cosine;
   const double q = tangent * tangent;
   // arctangent series, |tangent| < 0.01: the first term left out is below 2e-17 of the sum.
   return tangent * (1.0 - q * (1.0 / 3.0 - q * (1.0 / 5.0 - q * (1.0 / 7.0))));
+}
+
+/// The angle (rad, within ±π) whose sine and cosine are given up to a common positive factor. Only + - × ÷ √ are used:
+/// the inverse trigonometric functions of C libraries differ between processors, and runs must not.
+inline double turn_angle(double sine, double cosine) {
+  return is_small_turn(sine, cosine) ? small_turn_angle(sine, cosine) : large_turn_angle(sine, cosine);
 }
 
 }  // namespace ligament

@@ -77,7 +77,7 @@ TEST_CASE("blocks cover the range of every law once and never more than a block"
   std::size_t next = 0;
   for (const LawBlock& block : law_blocks(model, contacts)) {
     CHECK(block.begin == next);
-    CHECK(block.size() <= block_size);
+    CHECK(block.size() <= contact_block_size);
     CHECK(contacts.law[block.begin] == block.law_row);
     CHECK(contacts.law[block.end - 1] == block.law_row);
     next = block.end;

@@ -42,7 +42,7 @@ TEST_CASE("the opening of two points loses no digits, however small the displace
       const Vector rest = random.uniform(0.5, 2.0) * random.direction();
       const Vector displacement = random.vector(scale);
       const double rest_distance = norm(rest);
-      const auto motion = particle_pair_motion({rest, displacement, displacement}, {rest_distance, 0.0, 0.0}, 0, 0, 0);
+      const auto motion = particle_pair_motion({rest, displacement, displacement}, {rest_distance, 0.0, 0.0}, {});
       const long double exact = length(Long(rest) + displacement) - length(rest);
       largest_error = std::max(largest_error, std::abs(static_cast<double>(motion.opening - exact)));
       const auto corner = corner_motion({rest, displacement, displacement}, {rest_distance, 0.0, 0.0}, 0.0);
@@ -77,18 +77,18 @@ TEST_CASE("the opening from a facet loses no digits, however small the displacem
 }
 
 TEST_CASE("the initial gap shifts the opening") {
-  const auto motion = particle_pair_motion({{2.0, 0.0}, {0.5, 0.0}, {0.5, 0.0}}, {2.0, 0.25, 0.25}, 0, 0, 0);
+  const auto motion = particle_pair_motion({{2.0, 0.0}, {0.5, 0.0}, {0.5, 0.0}}, {2.0, 0.25, 0.25}, {});
   CHECK(motion.opening == doctest::Approx(0.75).epsilon(1e-15));
 }
 
 TEST_CASE("the contact point of two discs lies at the middle of their overlap or gap") {
   // Radii 1 and 0.5, centres 1.3 apart: surfaces at 1 and 0.8.
-  auto motion = particle_pair_motion({{1.3, 0.0}, {}, {}}, {1.3, 0.0, 0.0}, 0, 0, 0.5);
+  auto motion = particle_pair_motion({{1.3, 0.0}, {}, {}}, {1.3, 0.0, 0.0}, {.radius_difference = 0.5});
   CHECK(motion.geometry.arm_first == doctest::Approx(0.9).epsilon(1e-15));
   CHECK(motion.geometry.arm_second == doctest::Approx(0.4).epsilon(1e-15));
   CHECK(motion.geometry.normal == Vector{1.0, 0.0});
   // 1.7 apart: surfaces at 1 and 1.2.
-  motion = particle_pair_motion({{0.0, 1.7}, {}, {}}, {1.7, 0.0, 0.0}, 0, 0, 0.5);
+  motion = particle_pair_motion({{0.0, 1.7}, {}, {}}, {1.7, 0.0, 0.0}, {.radius_difference = 0.5});
   CHECK(motion.geometry.arm_first == doctest::Approx(1.1).epsilon(1e-15));
   CHECK(motion.geometry.normal == Vector{0.0, 1.0});
 }

@@ -192,9 +192,6 @@ struct PropertiesTable {
   void declare(Parameters& parameters);
 };
 
-/// The solver method that loads in increments.
-inline constexpr const char* quasi_static_method = "quasi_static";
-
 struct SolverTable {
   TimeStepChoice time_step;
   std::optional<double> unbalanced_force_ratio;

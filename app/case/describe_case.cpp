@@ -70,11 +70,7 @@ std::vector<TableDescription> describe_case() {
     if (table.path == "zone") add_variants(table, "generator", all_generators(std::make_shared<InputFiles>(""), ""));
     if (table.path == "solver") {
       add_variants(table, "method", solver_methods());
-      Variant increments{quasi_static_method,
-                         "loading in increments, each relaxed to equilibrium: every row is one of equilibrium",
-                         {}};
-      IncrementalLoading().declare(increments.parameters);
-      table.variants.push_back(std::move(increments));
+      add_variants(table, "method", loading_methods());
       table.default_variant = "dynamic_relaxation";
     }
   }

@@ -77,24 +77,20 @@ std::vector<Read<ZoneTable>> read_zones(CaseFile& file, const std::shared_ptr<In
   return zones;
 }
 
-/// Increments of loading are no integrator: they are read here.
-void read_quasi_static(CaseFile& file, const TableView& view, SolverTable& solver) {
-  solver.unbalanced_force_ratio = default_force_ratio_of_increments;
-  solver.loading = std::make_unique<IncrementalLoading>();
-  Parameters parameters;
-  solver.declare(parameters);
-  solver.loading->declare(parameters);
-  file.read(view, parameters);
-}
-
 void read_solver(CaseFile& file, SolverTable& solver) {
   const TableView view = file.table("solver");
+  const auto loadings = loading_methods();
   std::vector<std::string> methods = solver_methods().names();
-  methods.emplace_back(quasi_static_method);
+  for (const std::string& name : loadings.names()) methods.push_back(name);
   const auto method = file.peek(view, "method", methods, default_method);
   if (!method) return;
   solver.method = *method;
-  if (solver.method == quasi_static_method) return read_quasi_static(file, view, solver);
+  // Increments of loading are no integrator.
+  if (loadings.contains(solver.method)) {
+    solver.unbalanced_force_ratio = default_force_ratio_of_increments;
+    read_with_choice(file, view, solver, loadings, "method", solver.loading);
+    return;
+  }
   if (solver.method == default_method) solver.unbalanced_force_ratio = default_force_ratio;
   read_with_choice(file, view, solver, solver_methods(), "method", solver.integrator, default_method);
 }

@@ -3,6 +3,7 @@
 #include "integrator/central_difference.hpp"
 #include "integrator/dynamic_relaxation.hpp"
 #include "integrator/local_damping.hpp"
+#include "integrator/momentum_relaxation.hpp"
 #include "integrator/no_damping.hpp"
 #include "integrator/two_level_relaxation.hpp"
 
@@ -24,6 +25,13 @@ Registry<Integrator> solver_methods() {
   add<NoDamping>(all, "undamped", "no damping: dynamics, energy tests");
   all.add("two_level_relaxation", "adaptive relaxation with masses that fit slow motions of the structure as well",
           [] { return std::make_unique<TwoLevelRelaxation>(); });
+  return all;
+}
+
+Registry<IncrementalLoading> loading_methods() {
+  Registry<IncrementalLoading> all("solver method");
+  all.add("quasi_static", "loading in increments, each relaxed to equilibrium: every row is one of equilibrium",
+          [] { return std::make_unique<IncrementalLoading>(std::make_unique<MomentumRelaxation>()); });
   return all;
 }
 

@@ -5,7 +5,7 @@
 #include "build/build_simulation.hpp"
 #include "build/select_bodies.hpp"
 #include "constitutive/mohr_coulomb_bilinear.hpp"
-#include "core/state_hash.hpp"
+#include "integrator/register_methods.hpp"
 #include "reference/direct_solution.hpp"
 #include "support/hand_made_model.hpp"
 #include "support/hand_made_simulation.hpp"
@@ -21,7 +21,7 @@ constexpr double fracture_energy = 40.0;
 
 std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends,
                                             const std::string& key = "increment", const ParameterValue& value = 1e-6) {
-  auto result = std::make_unique<IncrementalLoading>();
+  auto result = loading_methods().create("quasi_static");
   Parameters parameters;
   result->declare(parameters);
   for (Parameter& parameter : parameters.list()) {

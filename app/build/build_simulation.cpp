@@ -53,7 +53,7 @@ BuiltSimulation build_simulation(Case& input) {
   modules.integrator = std::move(input.solver.integrator);
   modules.loading = std::move(input.solver.loading);
   if (modules.loading) {
-    modules.loading->set_loading(conditions.freedoms, conditions.end_of_loading, *input.solver.unbalanced_force_ratio);
+    modules.loading->set_loading(conditions.freedoms, conditions.corners, *input.solver.unbalanced_force_ratio);
   }
   modules.contact_detector = std::make_unique<GridContactDetector>(skin_of(input, built.model));
   modules.force_providers = force_providers(input, std::move(conditions.loads));
@@ -67,7 +67,7 @@ BuiltSimulation build_simulation(Case& input) {
       .gauges = std::move(gauges),
       .reports = std::move(built.reports),
       .freedoms = std::move(conditions.freedoms),
-      .end_of_loading = std::move(conditions.end_of_loading),
+      .end_of_loading = ends_of_loading(conditions.corners),
       .stop = stop,
       .warnings = std::move(conditions.warnings),
   };

@@ -15,7 +15,7 @@ struct BuiltSimulation {
   std::vector<Gauge> gauges;
   std::vector<ZoneReport> reports;
   std::vector<PrescribedFreedom> freedoms;  ///< held and moved
-  std::vector<double> end_of_loading;       ///< see Conditions
+  std::vector<double> end_of_loading;       ///< of every stage, the last of Conditions::corners (s)
   std::optional<StopCriterion> stop;
   std::vector<std::string> warnings;
 };

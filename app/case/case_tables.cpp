@@ -110,12 +110,26 @@ void SupportTable::declare(Parameters& parameters) {
       .one_of({"x", "y", "rotation"});
 }
 
+void MotionSchedule::declare(Parameters& parameters) {
+  parameters.quantities("time", time, "s", "ascending from 0 s, the beginning of the stage").required();
+  parameters
+      .quantities("displacement", displacement, "m", "at each of the times, from where the stage began: 0 m at first")
+      .required();
+}
+
+void LoadSchedule::declare(Parameters& parameters) {
+  parameters.quantities("time", time, "s", "ascending from 0 s, the beginning of the stage").required();
+  parameters.numbers("share", share, "share of the force that acts at each of the times").required();
+}
+
 void MotionTable::declare(Parameters& parameters) {
   bodies.declare(parameters);
   parameters.texts("walls", walls, "names of walls");
   parameters.text("direction", direction, "axis of the prescribed motion").required().one_of({"x", "y"});
-  parameters.quantity("velocity", velocity, "m/s", "prescribed velocity; or give 'displacement'");
+  parameters.quantity("velocity", velocity, "m/s", "prescribed velocity; or give 'displacement' or 'schedule'");
   parameters.quantity("displacement", displacement, "m", "displacement made until 'stop_time', instead of 'velocity'");
+  schedule.declare(parameters.table("schedule", schedule.is_given,
+                                    "displacements at times, with straight lines between them, instead of 'velocity'"));
   parameters.quantity("rise_time", rise_time, "s", "time within which the velocity rises linearly").at_least(0.0);
   parameters.quantity("stop_time", stop_time, "s", "time at which the motion stops, from the beginning of its stage")
       .at_least(0.0);
@@ -127,6 +141,9 @@ void LoadTable::declare(Parameters& parameters) {
   parameters.point("force", force, "N", "force on each of the bodies").required();
   parameters.quantity("rise_time", rise_time, "s", "time within which the force rises linearly; 0: suddenly")
       .at_least(0.0);
+  schedule.declare(parameters.table("schedule", schedule.is_given,
+                                    "shares of the force at times, with straight lines between them, instead of "
+                                    "'rise_time'; the last one stays on"));
   declare_stage(parameters, stage);
 }
 

@@ -115,6 +115,24 @@ struct SupportTable {
   void declare(Parameters& parameters);
 };
 
+/// Displacements at times, with straight lines between them.
+struct MotionSchedule {
+  bool is_given = false;
+  std::vector<double> time;
+  std::vector<double> displacement;
+
+  void declare(Parameters& parameters);
+};
+
+/// Shares of a force at times, likewise.
+struct LoadSchedule {
+  bool is_given = false;
+  std::vector<double> time;
+  std::vector<double> share;
+
+  void declare(Parameters& parameters);
+};
+
 struct MotionTable {
   std::string name;
   BodySelection bodies;
@@ -122,6 +140,7 @@ struct MotionTable {
   std::string direction;
   std::optional<double> velocity;
   std::optional<double> displacement;
+  MotionSchedule schedule;
   double rise_time = 0.0;
   std::optional<double> stop_time;
   std::int64_t stage = 1;
@@ -133,6 +152,7 @@ struct LoadTable {
   std::string name;
   BodySelection bodies;
   std::array<double, 2> force{};
+  LoadSchedule schedule;
   double rise_time = 0.0;
   std::int64_t stage = 1;
 

@@ -38,7 +38,8 @@ void IncrementalLoading::declare(Parameters& parameters) {
       .quantity("increment", increment_, "m", "displacement of the fastest [[motion]] from one equilibrium to the next")
       .greater_than(0.0)
       .required();
-  parameters.integer("load_steps", load_steps_, "increments of a stage in which loads rise and nothing is moved")
+  parameters.integer("load_steps", load_steps_,
+                    "increments from one corner of the loading to the next where nothing is moved: loads change, or hold")
       .at_least(1);
   parameters
       .number("force_mismatch", force_mismatch_,
@@ -62,10 +63,10 @@ void IncrementalLoading::declare(Parameters& parameters) {
       .greater_than(0.0);
 }
 
-void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends,
-                                     double unbalanced_ratio) {
+void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms,
+                                     std::vector<std::vector<double>> corners, double unbalanced_ratio) {
   freedoms_ = std::move(freedoms);
-  ends_ = std::move(ends);
+  corners_ = std::move(corners);
   unbalanced_ratio_ = unbalanced_ratio;
 }
 
@@ -83,6 +84,7 @@ void IncrementalLoading::open_lines(EnergyLedger& ledger) {
 
 bool IncrementalLoading::advance(const Model& model, State& state, const ForceEvaluation& evaluation) {
   begin(model, state, evaluation);
+  const Segment segment = segment_at(state);
   const double wanted = wanted_step(state);
   // After a cut the way back to the wanted increment is taken in strides.
   double step = state.loading.step > 0.0 ? std::min(wanted, 2.0 * state.loading.step) : wanted;
@@ -90,6 +92,8 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
   for (;;) {
     if (relax(model, state, evaluation, step)) {
       accept(model, state, evaluation, step);
+      // Beyond a corner everything moves another way.
+      if (segment_at(state).begin != segment.begin) state.loading.direction.clear();
       return true;
     }
     restore(state);
@@ -144,14 +148,31 @@ std::vector<double> IncrementalLoading::applied_loads(const Model& model, State&
   return loads;
 }
 
+IncrementalLoading::Segment IncrementalLoading::segment_at(const State& state) const {
+  const std::vector<double>& corners = corners_[state.stage.number - 1];
+  const double time = state.clock.time - state.stage.begin_time;
+  // An increment ends at a corner to rounding.
+  constexpr double rounding = 1e-12;
+  Segment segment;
+  for (const double corner : corners) {
+    segment.begin = segment.end;
+    segment.end = corner;
+    if (time < (1.0 - rounding) * corner) return segment;
+  }
+  return {segment.end, segment.end};
+}
+
 double IncrementalLoading::wanted_step(const State& state) const {
-  const StageState& stage = state.stage;
-  const double end = ends_[stage.number - 1];
-  const double left = end - (state.clock.time - stage.begin_time);
-  double step = end / static_cast<double>(load_steps_);
+  const Segment segment = segment_at(state);
+  const double left = segment.end - (state.clock.time - state.stage.begin_time);
+  double step = (segment.end - segment.begin) / static_cast<double>(load_steps_);
   double fastest = 0.0;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, stage, state.clock.time + 1e-9 * left)));
+    // Velocities are linear between corners.
+    for (const double share : {1e-9, 1.0 - 1e-9}) {
+      const double time = state.clock.time + share * left;
+      fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, state.stage, time, time)));
+    }
   }
   if (fastest > 0.0) step = increment_ / fastest;
   // A remainder that rounding leaves is no increment of its own.
@@ -202,9 +223,9 @@ void IncrementalLoading::move(const Model& model, State& state, const ForceEvalu
 std::vector<double> IncrementalLoading::prescribed_motion(const Model& model, const State& state, double step) const {
   const FreedomNumbers numbers(model);
   std::vector<double> motion(numbers.count(), 0.0);
-  const double middle = start_.time + 0.5 * step;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    motion[number_of(numbers, freedom)] = step * prescribed_velocity(freedom, state.stage, middle);
+    const double velocity = prescribed_velocity(freedom, state.stage, start_.time, start_.time + step);
+    motion[number_of(numbers, freedom)] = step * velocity;
   }
   return motion;
 }

@@ -27,8 +27,10 @@ struct ForceEvaluation {
 class IncrementalLoading : public EnergySource {
  public:
   void declare(Parameters& parameters);
-  /// Prescribed freedoms, the length of each stage of loading (s), and the unbalanced force ratio of an equilibrium.
-  void set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends, double unbalanced_ratio);
+  /// Prescribed freedoms; of each stage of loading the times (s, ascending) at which motions or loads change their
+  /// course, the end of the stage last; and the unbalanced force ratio of an equilibrium.
+  void set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<std::vector<double>> corners,
+                   double unbalanced_ratio);
   /// Makes the masses, from those of the state.
   void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness);
 
@@ -70,6 +72,12 @@ class IncrementalLoading : public EnergySource {
   /// The motion of a stage that begins, from a small increment that is taken back.
   void find_direction(const Model& model, State& state, const ForceEvaluation& evaluation, double wanted);
   void remember_direction(const Model& model, State& state, double step) const;
+  /// The part of a stage between two corners of its loading that an increment belongs to (s).
+  struct Segment {
+    double begin = 0.0;
+    double end = 0.0;
+  };
+  [[nodiscard]] Segment segment_at(const State& state) const;
   [[nodiscard]] double wanted_step(const State& state) const;
   bool relax(const Model& model, State& state, const ForceEvaluation& evaluation, double step);
   /// Moves all bodies and evaluates their forces.
@@ -88,7 +96,7 @@ class IncrementalLoading : public EnergySource {
 
   // Parameters.
   double increment_ = 0.0;        ///< of the fastest prescribed motion (m)
-  std::int64_t load_steps_ = 50;  ///< increments of a stage without prescribed motion
+  std::int64_t load_steps_ = 50;  ///< increments of a segment in which nothing is moved
   double force_mismatch_ = 1e-3;  ///< of external forces, over the running peak
   std::int64_t settled_evaluations_ = 3;
   std::int64_t most_evaluations_ = 3000;
@@ -97,7 +105,7 @@ class IncrementalLoading : public EnergySource {
   std::optional<double> coarse_cell_;
 
   std::vector<PrescribedFreedom> freedoms_;
-  std::vector<double> ends_;
+  std::vector<std::vector<double>> corners_;
   double unbalanced_ratio_ = 0.0;
   std::optional<TwoLevelMass> mass_;
 

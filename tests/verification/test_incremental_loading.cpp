@@ -19,7 +19,8 @@ constexpr double radius = 0.01;
 constexpr double strength = 2e6;
 constexpr double fracture_energy = 40.0;
 
-std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends,
+std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freedoms,
+                                            std::vector<std::vector<double>> corners,
                                             const std::string& key = "increment", const ParameterValue& value = 1e-6) {
   auto result = std::make_unique<IncrementalLoading>();
   Parameters parameters;
@@ -28,7 +29,7 @@ std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freed
     if (parameter.name == "increment") parameter.assign(1e-6);
     if (parameter.name == key) parameter.assign(value);
   }
-  result->set_loading(std::move(freedoms), std::move(ends), 1e-6);
+  result->set_loading(std::move(freedoms), std::move(corners), 1e-6);
   return result;
 }
 

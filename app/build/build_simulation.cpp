@@ -59,7 +59,8 @@ BuiltSimulation build_simulation(Case& input) {
   modules.force_providers = force_providers(input, std::move(conditions.loads));
   modules.constraints.push_back(std::move(motion));
   std::vector<Gauge> gauges = build_gauges(input, built.model);
-  std::optional<StopCriterion> stop = build_stop_criterion(input, gauges);
+  std::vector<StopCriterion> stops = build_stop_criteria(input, gauges);
+  const std::optional<UniaxialTest> uniaxial = build_uniaxial_test(input, gauges);
   input.file.throw_collected_errors();
 
   BuiltSimulation result{
@@ -68,9 +69,14 @@ BuiltSimulation build_simulation(Case& input) {
       .reports = std::move(built.reports),
       .freedoms = std::move(conditions.freedoms),
       .end_of_loading = ends_of_loading(conditions.corners),
-      .stop = stop,
+      .stops = std::move(stops),
+      .pieces = {},
+      .uniaxial = uniaxial,
       .warnings = std::move(conditions.warnings),
   };
+  if (input.stop && input.stop->table.cut_off_share) {
+    result.pieces.emplace(result.simulation.model(), result.simulation.state());
+  }
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
   check_contacts(input, result.simulation.model(), result.simulation.state());
   refuse_idle_notches(input, result.simulation.model());

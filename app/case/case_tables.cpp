@@ -14,9 +14,12 @@ void declare_stage(Parameters& parameters, std::int64_t& stage) {
 
 void ProblemTable::declare(Parameters& parameters) {
   parameters.choice("kind", kind,
-                    {{"structure", CaseKind::structure}, {"assembly_properties", CaseKind::assembly_properties}},
+                    {{"structure", CaseKind::structure},
+                     {"assembly_properties", CaseKind::assembly_properties},
+                     {"uniaxial", CaseKind::uniaxial}},
                     "'structure': what the tables say; 'assembly_properties': the one zone is put between frictionless "
-                    "walls and loaded along x, then along y, for its Young's moduli and Poisson's ratios");
+                    "walls and loaded along x, then along y, for its Young's moduli and Poisson's ratios; 'uniaxial': a "
+                    "structure that is a specimen, whose strength, Young's modulus and fracture energy are results");
   parameters.choice("plane", plane, {{"stress", PlaneState::stress}, {"strain", PlaneState::strain}},
                     "plane stress or plane strain");
   parameters.quantity("thickness", thickness, "m", "thickness t of the body").required().greater_than(0.0);
@@ -155,6 +158,13 @@ void GaugePoint::declare(Parameters& parameters) {
   parameters.text("direction", direction, "axis").required().one_of({"x", "y"});
 }
 
+void GaugePoint::declare_displacement(Parameters& parameters) {
+  declare(parameters);
+  parameters.point("point", point, "m",
+                   "a place at set-up: of the element there, or of the particle that is nearest by its edge");
+  parameters.texts("relative_to", relative_to, "names of supports, whose mean displacement is taken off");
+}
+
 void GaugePair::declare(Parameters& parameters) {
   parameters.point("from", from, "m", "place of the first body: the nearest one at set-up counts").required();
   parameters.point("to", to, "m", "place of the second body, likewise").required();
@@ -168,8 +178,8 @@ void GaugeRegion::declare(Parameters& parameters) {
 }
 
 void GaugeTable::declare(Parameters& parameters) {
-  displacement.declare(
-      parameters.table("displacement", displacement.is_given, "displacement of a node or particle (m)"));
+  displacement.declare_displacement(
+      parameters.table("displacement", displacement.is_given, "displacement of a node, particle, place or wall (m)"));
   reaction.declare(parameters.table("reaction", reaction.is_given, "force that holds a supported or driven body (N)"));
   opening.declare(
       parameters.table("opening", opening.is_given, "displacement of a second body less that of a first one (m)"));
@@ -210,8 +220,7 @@ void SolverTable::declare(Parameters& parameters) {
   parameters.integer("check_every", check_every, "steps between two checks of convergence").at_least(1);
 }
 
-void StopTable::declare(Parameters& parameters) {
-  parameters.text("gauge", gauge, "name of the gauge that is watched").required();
+void GaugeLimit::declare(Parameters& parameters) {
   parameters
       .number("drop_to_share", drop_to_share,
               "the run ends when the gauge has fallen to this share of its largest value")
@@ -221,11 +230,37 @@ void StopTable::declare(Parameters& parameters) {
   parameters.number("below", below, "the run ends when the gauge is below this, in its SI unit");
 }
 
+void LimitTable::declare(Parameters& parameters) {
+  parameters.text("gauge", gauge, "name of the gauge that is watched").required();
+  limit.declare(parameters);
+}
+
+void StopTable::declare(Parameters& parameters) {
+  parameters.text("gauge", gauge, "name of a gauge that is watched; [[limit]] watches more");
+  limit.declare(parameters);
+  parameters
+      .number("cut_off_share", cut_off_share,
+              "the run ends when broken bonds have cut off a piece with more than this share of the area of the structure")
+      .greater_than(0.0)
+      .less_than(0.5);
+}
+
+void UniaxialTable::declare(Parameters& parameters) {
+  parameters.text("load", load, "name of the gauge of the load, a reaction along the axis of the specimen");
+  parameters.text("elongation", elongation,
+                  "name of the gauge of the elongation; the area below load over elongation is the fracture energy");
+}
+
 void OutputTable::declare(Parameters& parameters) {
   parameters.integer("every", every, "steps between two rows of history.csv and energy.csv").at_least(1);
   parameters
       .integer("fields_every", fields_every,
                "steps between two field outputs; without it only the first and the last state are written")
+      .at_least(1);
+  parameters
+      .integer("transient_every", transient_every,
+               "evaluations of the forces between two rows of transient.csv, which shows what happens from one state of "
+               "equilibrium to the next; without it there is no such file")
       .at_least(1);
 }
 

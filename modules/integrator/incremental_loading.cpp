@@ -107,7 +107,9 @@ void IncrementalLoading::find_direction(const Model& model, State& state, const 
   // A platen that starts at full increment would hit what it touches: most of its work would go to relaxation, and
   // contacts that bounce off have no work that a trapezoid could find.
   const double step = 1e-3 * wanted;
-  if (relax(model, state, evaluation, step)) remember_direction(model, state, step);
+  ForceEvaluation unobserved = evaluation;
+  unobserved.observe_every = 0;
+  if (relax(model, state, unobserved, step)) remember_direction(model, state, step);
   restore(state);
 }
 
@@ -203,6 +205,9 @@ bool IncrementalLoading::relax(const Model& model, State& state, const ForceEval
     update_momenta(momenta, free_now, damping);
     motion = mass_->velocities(momenta);
     move(model, state, evaluation, motion);
+    if (evaluation.observe_every > 0 && n_evaluations_ % evaluation.observe_every == 0) {
+      evaluation.observe(n_evaluations_, 0.5 * product(motion, momenta));
+    }
     free_before = std::move(free_now);
     free_now = free_forces(model, state);
     damping = adaptive_damping(motion, momenta, free_now, free_before, bounds_);

@@ -17,6 +17,9 @@ struct ForceEvaluation {
   std::function<void()> add_applied_loads;    ///< resultants of the applied loads alone, in place of the others
   std::function<ForceMagnitudes()> internal;  ///< see ForceProvider::internal_forces()
   std::function<bool()> is_interrupted;       ///< whether to give up
+  /// After every so many evaluations of an increment it is told their number so far and the kinetic energy (J).
+  std::function<void(std::int64_t, double)> observe = {};
+  std::int64_t observe_every = 0;  ///< never, if 0
 };
 
 /// Quasi-static loading in increments, each relaxed to equilibrium with masses of two levels. Contacts remember the

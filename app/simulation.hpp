@@ -70,8 +70,8 @@ class Simulation {
   void restore(State state) { state_ = std::move(state); }
   /// Increments of loading end without equilibrium as soon as this says so.
   void interrupt_increments_by(std::function<bool()> is_interrupted) { is_interrupted_ = std::move(is_interrupted); }
-  /// After every so many evaluations of the forces in an increment of loading, `observe` is told their number so far and
-  /// the kinetic energy (J); the state is that of the evaluation.
+  /// After every so many evaluations of the forces in an increment of loading, `observe` is told their number so far
+  /// and the kinetic energy (J); the state is that of the evaluation.
   void observe_increments_by(std::int64_t every, std::function<void(std::int64_t, double)> observe) {
     observe_every_ = every;
     observe_ = std::move(observe);

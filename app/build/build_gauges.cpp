@@ -84,8 +84,8 @@ std::vector<WatchedBody> nodes_around(const Model& model, const Vector& place, i
 
 /// What moves with a place: its element, or the particle whose edge is nearest; nothing if it is outside the structure,
 /// which is an error of the case file.
-std::vector<WatchedBody> bodies_at(Case& input, const Model& model, const Vector& place, int axis, const TableView& view,
-                                   const char* key) {
+std::vector<WatchedBody> bodies_at(Case& input, const Model& model, const Vector& place, int axis,
+                                   const TableView& view, const char* key) {
   std::vector<WatchedBody> nodes = nodes_around(model, place, axis);
   if (!nodes.empty()) return nodes;
   const auto gap = [&](Index row) { return norm(model.particles.position[row] - place) - model.particles.radius[row]; };
@@ -96,8 +96,8 @@ std::vector<WatchedBody> bodies_at(Case& input, const Model& model, const Vector
   }
   // choice: voids of assemblies are smaller than the particles around them.
   if (n_particles > 0 && gap(nearest) <= model.particles.radius[nearest]) return {{false, nearest, axis}};
-  input.file.add_error(input.file.position(view, key),
-                       fmt::format("there is no element or particle at ({} m, {} m) {}", place.x, place.y, view.where()));
+  input.file.add_error(input.file.position(view, key), fmt::format("there is no element or particle at ({} m, {} m) {}",
+                                                                   place.x, place.y, view.where()));
   return {};
 }
 

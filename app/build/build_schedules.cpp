@@ -22,8 +22,7 @@ std::string complaint(const std::vector<double>& times, const std::vector<double
 PiecewiseLinear checked(Case& input, const std::vector<double>& times, const std::vector<double>& values,
                         const std::string& error, const TableView& view) {
   if (error.empty()) return {times, values};
-  input.file.add_error(input.file.position(view, "schedule"),
-                       fmt::format("{} in 'schedule' {}", error, view.where()));
+  input.file.add_error(input.file.position(view, "schedule"), fmt::format("{} in 'schedule' {}", error, view.where()));
   return {};
 }
 

@@ -54,9 +54,9 @@ std::vector<StopCriterion> build_stop_criteria(Case& input, const std::vector<Ga
       add_criterion(input, gauges, *table.gauge, table.limit, view, criteria);
     } else if (is_given(table.limit)) {
       input.file.add_error(input.file.position(view), fmt::format("missing key 'gauge' {}", view.where()));
-    } else if (!table.cut_off_share) {
+    } else if (!table.cut_off_share && !table.crack_span) {
       input.file.add_error(input.file.position(view),
-                           fmt::format("give 'gauge' or 'cut_off_share' {}", view.where()));
+                           fmt::format("give 'gauge', 'cut_off_share' or 'crack_span' {}", view.where()));
     }
   }
   for (const auto& [table, view] : input.limits) add_criterion(input, gauges, table.gauge, table.limit, view, criteria);

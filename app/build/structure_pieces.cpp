@@ -51,7 +51,8 @@ std::vector<std::size_t> find_pieces(const Model& model, const State& state) {
       bodies.join(static_cast<std::size_t>(contacts.first[row]), second(contacts.second[row]));
     }
   };
-  join(state.particle_contacts, static_cast<Index>(n_particles), [](Index row) { return static_cast<std::size_t>(row); });
+  join(state.particle_contacts, static_cast<Index>(n_particles),
+       [](Index row) { return static_cast<std::size_t>(row); });
   join(state.facet_contacts, n_facets, [&](Index row) { return node(model.facets.nodes[row][0]); });
   join(state.corner_contacts, n_nodes, node);
   return bodies.sets();

@@ -13,13 +13,14 @@ void declare_stage(Parameters& parameters, std::int64_t& stage) {
 }  // namespace
 
 void ProblemTable::declare(Parameters& parameters) {
-  parameters.choice("kind", kind,
-                    {{"structure", CaseKind::structure},
-                     {"assembly_properties", CaseKind::assembly_properties},
-                     {"uniaxial", CaseKind::uniaxial}},
-                    "'structure': what the tables say; 'assembly_properties': the one zone is put between frictionless "
-                    "walls and loaded along x, then along y, for its Young's moduli and Poisson's ratios; 'uniaxial': a "
-                    "structure that is a specimen, whose strength, Young's modulus and fracture energy are results");
+  parameters.choice(
+      "kind", kind,
+      {{"structure", CaseKind::structure},
+       {"assembly_properties", CaseKind::assembly_properties},
+       {"uniaxial", CaseKind::uniaxial}},
+      "'structure': what the tables say; 'assembly_properties': the one zone is put between frictionless "
+      "walls and loaded along x, then along y, for its Young's moduli and Poisson's ratios; 'uniaxial': a "
+      "structure that is a specimen, whose strength, Young's modulus and fracture energy are results");
   parameters.choice("plane", plane, {{"stress", PlaneState::stress}, {"strain", PlaneState::strain}},
                     "plane stress or plane strain");
   parameters.quantity("thickness", thickness, "m", "thickness t of the body").required().greater_than(0.0);
@@ -239,10 +240,16 @@ void StopTable::declare(Parameters& parameters) {
   parameters.text("gauge", gauge, "name of a gauge that is watched; [[limit]] watches more");
   limit.declare(parameters);
   parameters
-      .number("cut_off_share", cut_off_share,
-              "the run ends when broken bonds have cut off a piece with more than this share of the area of the structure")
+      .number(
+          "cut_off_share", cut_off_share,
+          "the run ends when broken bonds have cut off a piece with more than this share of the area of the structure")
       .greater_than(0.0)
       .less_than(0.5);
+  parameters
+      .quantity("crack_span", crack_span, "m",
+                "the run ends when the ends of the macro-crack are further apart than this: when it has run through a "
+                "section of this width")
+      .greater_than(0.0);
 }
 
 void UniaxialTable::declare(Parameters& parameters) {
@@ -258,9 +265,10 @@ void OutputTable::declare(Parameters& parameters) {
                "steps between two field outputs; without it only the first and the last state are written")
       .at_least(1);
   parameters
-      .integer("transient_every", transient_every,
-               "evaluations of the forces between two rows of transient.csv, which shows what happens from one state of "
-               "equilibrium to the next; without it there is no such file")
+      .integer(
+          "transient_every", transient_every,
+          "evaluations of the forces between two rows of transient.csv, which shows what happens from one state of "
+          "equilibrium to the next; without it there is no such file")
       .at_least(1);
 }
 

@@ -253,6 +253,7 @@ struct StopTable {
   std::optional<std::string> gauge;
   GaugeLimit limit;
   std::optional<double> cut_off_share;
+  std::optional<double> crack_span;
 
   void declare(Parameters& parameters);
 };

@@ -7,7 +7,9 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "run/crack_record.hpp"
 #include "run/external_forces.hpp"
+#include "run/macro_crack.hpp"
 #include "run/run_report.hpp"
 #include "run/signals.hpp"
 #include "run/summary.hpp"
@@ -57,9 +59,10 @@ Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& di
   // The audits of every step are those of stepping.
   built.simulation.interrupt_increments_by(&is_stop_requested);
   if (input.output.transient_every) {
-    built.simulation.observe_increments_by(*input.output.transient_every, [this](std::int64_t evaluation, double kinetic) {
-      results_->write_transient_row(built_, evaluation, kinetic);
-    });
+    built.simulation.observe_increments_by(*input.output.transient_every,
+                                           [this](std::int64_t evaluation, double kinetic) {
+                                             results_->write_transient_row(built_, evaluation, kinetic);
+                                           });
   }
   if (audits_every_step(input) && !built.simulation.is_quasi_static()) step_audit_.emplace(built.simulation);
 }
@@ -171,10 +174,17 @@ std::string Runner::reached_criterion() const {
     std::string reached = stop.reached(values, built_.simulation.state().stage.peaks);
     if (!reached.empty()) return reached;
   }
-  if (!built_.pieces) return {};
-  const double share = built_.pieces->largest_cut_off(built_.simulation.model(), built_.simulation.state());
-  if (share <= *input_.stop->table.cut_off_share) return {};
-  return fmt::format("{:.3g} of the structure is cut off", share);
+  if (built_.pieces) {
+    const double share = built_.pieces->largest_cut_off(built_.simulation.model(), built_.simulation.state());
+    if (share > *input_.stop->table.cut_off_share) return fmt::format("{:.3g} of the structure is cut off", share);
+  }
+  if (input_.stop && input_.stop->table.crack_span) {
+    const auto crack = find_macro_crack(planes_so_far(directory_.file("cracks.csv"), built_.simulation));
+    if (crack && crack->span > *input_.stop->table.crack_span) {
+      return fmt::format("the macro-crack spans {:.3g} m", crack->span);
+    }
+  }
+  return {};
 }
 
 std::optional<Ending> Runner::find_ending() {

@@ -87,8 +87,7 @@ void add_uniaxial(const BuiltSimulation& built, const RunDirectory& directory, J
   const CsvContent history = read_csv(directory.file("history.csv"));
   const std::vector<double> loads = history.numbers(built.gauges[test.load].column);
   if (!(*std::max_element(loads.begin(), loads.end()) > 0.0)) return;
-  const UniaxialResults results =
-      uniaxial_results(test, loads, history.numbers(built.gauges[test.elongation].column));
+  const UniaxialResults results = uniaxial_results(test, loads, history.numbers(built.gauges[test.elongation].column));
   double dissipated = 0.0;
   for (const EnergyTerm& term : built.simulation.energies()) {
     if (term.name.starts_with("fracture_") || term.name == "friction") dissipated += term.value;
@@ -167,8 +166,7 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
   if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;
   if (!summary.divergence.empty()) json["divergence"] = summary.divergence;
   if (!built.reports.empty()) json["packing"] = packings(built);
-  std::vector<CrackPlane> planes = read_broken_planes(directory.file("cracks.csv"), simulation.state().clock.step);
-  for (const CrackPlane& plane : softening_planes(simulation.model(), simulation.state())) planes.push_back(plane);
+  const auto planes = planes_so_far(directory.file("cracks.csv"), simulation);
   if (const auto crack = find_macro_crack(planes)) json["crack"] = crack_of(*crack, directory);
   json["results"] = results(input, built, directory, summary.ending);
   write_atomically(directory.file("summary.json"), json.dump(2) + "\n");

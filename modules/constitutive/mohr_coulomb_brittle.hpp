@@ -74,8 +74,8 @@ struct MohrCoulombBrittle : MohrCoulombStrength {
     const ContactForce limit = at_limit(input.area, force, normal, shear);
     const double friction_at_limit = friction_coefficient * std::max(0.0, limit.normal);
     const double size_at_limit = std::abs(limit.shear);
-    const bool is_in_tension = -limit.normal / (tensile_strength * input.area) >
-                               size_at_limit / (cohesion * input.area + friction_at_limit);
+    const bool is_in_tension =
+        -limit.normal / (tensile_strength * input.area) > size_at_limit / (cohesion * input.area + friction_at_limit);
     history[is_in_tension ? damage_tension : damage_shear] = 1.0;
 
     const double tension = std::min(0.0, limit.normal);
@@ -90,8 +90,7 @@ struct MohrCoulombBrittle : MohrCoulombStrength {
     const double slid = std::max(0.0, size - friction) / input.shear_stiffness;
     const double slid_at_limit = beyond_friction / input.shear_stiffness;
     history[friction_work] +=
-        friction_at_limit * slid_at_limit +
-        0.5 * (friction_at_limit + friction) * std::max(0.0, slid - slid_at_limit);
+        friction_at_limit * slid_at_limit + 0.5 * (friction_at_limit + friction) * std::max(0.0, slid - slid_at_limit);
     force = {std::max(0.0, normal), size > friction ? friction / size * shear : shear, BondState::broken};
   }
 };

@@ -38,8 +38,9 @@ void IncrementalLoading::declare(Parameters& parameters) {
       .quantity("increment", increment_, "m", "displacement of the fastest [[motion]] from one equilibrium to the next")
       .greater_than(0.0)
       .required();
-  parameters.integer("load_steps", load_steps_,
-                    "increments from one corner of the loading to the next where nothing is moved: loads change, or hold")
+  parameters
+      .integer("load_steps", load_steps_,
+               "increments from one corner of the loading to the next where nothing is moved: loads change, or hold")
       .at_least(1);
   parameters
       .number("force_mismatch", force_mismatch_,
@@ -63,8 +64,8 @@ void IncrementalLoading::declare(Parameters& parameters) {
       .greater_than(0.0);
 }
 
-void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms,
-                                     std::vector<std::vector<double>> corners, double unbalanced_ratio) {
+void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<std::vector<double>> corners,
+                                     double unbalanced_ratio) {
   freedoms_ = std::move(freedoms);
   corners_ = std::move(corners);
   unbalanced_ratio_ = unbalanced_ratio;

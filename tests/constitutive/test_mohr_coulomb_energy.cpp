@@ -172,8 +172,8 @@ TEST_CASE_TEMPLATE("what tension has stored and shear damage sets free counts as
   CHECK(bond.energies().fracture_shear - slipped == doctest::Approx(set_free).epsilon(1e-4));
 }
 
-TEST_CASE_TEMPLATE("pulled, unloaded, closed, pulled off, closed and pulled again: G_ft A in all, whatever the options", Law,
-                   SOFTENING_LAWS) {
+TEST_CASE_TEMPLATE("pulled, unloaded, closed, pulled off, closed and pulled again: G_ft A in all, whatever the options",
+                   Law, SOFTENING_LAWS) {
   for (const Law& law : variants<Law>()) {
     DrivenBond<Law> bond(law);
     // Opened a little further every time, and pressed in between.

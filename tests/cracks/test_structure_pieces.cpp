@@ -1,7 +1,6 @@
-#include "build/structure_pieces.hpp"
-
 #include <doctest/doctest.h>
 
+#include "build/structure_pieces.hpp"
 #include "support/hand_made_model.hpp"
 #include "support/hand_made_simulation.hpp"
 

@@ -1,6 +1,6 @@
-#include "integrator/piecewise_linear.hpp"
-
 #include <doctest/doctest.h>
+
+#include "integrator/piecewise_linear.hpp"
 
 using ligament::PiecewiseLinear;
 

@@ -1,6 +1,6 @@
-#include "run/uniaxial_results.hpp"
-
 #include <doctest/doctest.h>
+
+#include "run/uniaxial_results.hpp"
 
 using namespace ligament;
 

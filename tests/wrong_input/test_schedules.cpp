@@ -36,8 +36,7 @@ TEST_CASE("schedules of motions") {
   check_schedule(R"(time = ["0 s", "1 s"], displacement = ["1 mm", "2 mm"])",
                  "'displacement' must begin with 0 m, not 0.001 m");
   const std::string good = R"(schedule = { time = ["0 s", "1 s"], displacement = ["0 mm", "1 mm"] })";
-  check_motion(good + "\nvelocity = \"1 mm/s\"", "give one of 'velocity', 'displacement' and 'schedule'",
-               "[[motion]]");
+  check_motion(good + "\nvelocity = \"1 mm/s\"", "give one of 'velocity', 'displacement' and 'schedule'", "[[motion]]");
   check_motion(good + "\nstop_time = \"1 s\"",
                "there are times: leave 'rise_time' and 'stop_time' out, or the times in 'schedule'", "{ time");
   const std::string bare = with_motion(R"(schedule = { time = [0, "1 s"], displacement = ["0 mm", "1 mm"] })");

@@ -14,13 +14,13 @@ void check_added(const std::string& tables, const std::string& message, const st
 }  // namespace
 
 TEST_CASE("criteria that end a run") {
-  check_added("[stop]\n", "give 'gauge' or 'cut_off_share' in [stop]", "[stop]");
+  check_added("[stop]\n", "give 'gauge', 'cut_off_share' or 'crack_span' in [stop]", "[stop]");
   check_added("[stop]\nabove = 1\n", "missing key 'gauge' in [stop]", "[stop]");
   check_added("[stop]\ngauge = \"u\"\n", "give 'drop_to_share', 'above' or 'below' in [stop]", "[stop]");
   check_added("[stop]\ngauge = \"uu\"\nabove = 1\n",
               "there is no gauge 'uu' in [stop] (there are: 'u', 'r'); did you mean 'u'?", "\"uu\"");
-  check_added("[stop]\ncut_off_share = 0.5\n",
-              "'cut_off_share' is 0.5, but must be greater than 0 and less than 0.5", "0.5\n");
+  check_added("[stop]\ncut_off_share = 0.5\n", "'cut_off_share' is 0.5, but must be greater than 0 and less than 0.5",
+              "0.5\n");
   check_added("[[limit]]\nname = \"much\"\ngauge = \"r\"\n",
               "give 'drop_to_share', 'above' or 'below' in [[limit]] 'much'", "[[limit]]");
   check_added("[[limit]]\nname = \"much\"\nabove = 1\n", "missing key 'gauge' in [[limit]] 'much'", "[[limit]]");
@@ -40,9 +40,8 @@ TEST_CASE("uniaxial tests") {
   check_rejected(uniaxial + table, "case.toml:" + place_of("\"u\"\nelong", uniaxial + table) +
                                        ": gauge 'u' is no 'reaction' in [uniaxial]: it tells of no load");
   const std::string strange = "[uniaxial]\nload = \"r\"\nelongation = \"v\"\n";
-  check_rejected(uniaxial + strange,
-                 "case.toml:" + place_of("\"v\"", uniaxial + strange) +
-                     ": there is no gauge 'v' in [uniaxial] (there are: 'u', 'r')");
+  check_rejected(uniaxial + strange, "case.toml:" + place_of("\"v\"", uniaxial + strange) +
+                                         ": there is no gauge 'v' in [uniaxial] (there are: 'u', 'r')");
 }
 
 TEST_CASE("places of gauges") {

@@ -91,7 +91,8 @@ bool Simulation::increment() {
                                    {.add_forces = [this] { add_forces(); },
                                     .add_applied_loads = [this] { add_applied_loads(); },
                                     .internal = [this] { return internal_forces(); },
-                                    .is_interrupted = is_interrupted_});
+                                    .is_interrupted = is_interrupted_,
+                                    .observer = observer_});
 }
 
 void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {
@@ -99,7 +100,11 @@ void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {
   state_.stage.peaks.assign(n_gauges, 0.0);
 }
 
-void Simulation::note_readings(const std::vector<double>& readings) {
+void Simulation::note_readings(const std::vector<double>& readings, double force_mismatch) {
+  const double peak_force = state_.loading.peak_force;
+  if (peak_force > 0.0) {
+    state_.stage.force_mismatch = std::max(state_.stage.force_mismatch, force_mismatch / peak_force);
+  }
   Field<double>& peaks = state_.stage.peaks;
   for (std::size_t i = 0; i < readings.size(); ++i) peaks[i] = std::max(peaks[i], readings[i]);
 }

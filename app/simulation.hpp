@@ -45,8 +45,8 @@ class Simulation {
 
   /// Makes room for the readings of gauges at the ends of so many stages of loading.
   void open_stages(std::size_t n_stages, std::size_t n_gauges);
-  /// Takes note of readings of all gauges at time n, for their peaks.
-  void note_readings(const std::vector<double>& readings);
+  /// Takes note of readings of all gauges at time n, for their peaks, and of what external forces lack to balance (N).
+  void note_readings(const std::vector<double>& readings, double force_mismatch = 0.0);
   /// Ends the stage of loading under way at time n with these readings; the next one begins.
   void finish_stage(const std::vector<double>& readings);
 
@@ -70,6 +70,8 @@ class Simulation {
   void restore(State state) { state_ = std::move(state); }
   /// Increments of loading end without equilibrium as soon as this says so.
   void interrupt_increments_by(std::function<bool()> is_interrupted) { is_interrupted_ = std::move(is_interrupted); }
+  /// Who looks on while increments of loading search for their equilibrium.
+  void observe_increments_by(IncrementObserver observer) { observer_ = std::move(observer); }
   /// Whether every state is one of equilibrium.
   [[nodiscard]] bool is_quasi_static() const { return modules_.loading != nullptr; }
   [[nodiscard]] const std::string& limiting_body() const { return limiting_body_; }
@@ -89,6 +91,7 @@ class Simulation {
   Modules modules_;
   TimeStepChoice choice_;
   std::function<bool()> is_interrupted_ = [] { return false; };
+  IncrementObserver observer_;
   std::string limiting_body_;
 };
 

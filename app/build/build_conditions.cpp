@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "build/build_schedules.hpp"
 #include "build/select_bodies.hpp"
 
 namespace ligament {
@@ -84,9 +85,11 @@ StageVelocity velocity_of(Case& input, const MotionTable& table, const TableView
                        .velocity = table.velocity.value_or(0.0),
                        .rise_time = table.rise_time,
                        .stop_time = table.stop_time.value_or(-1.0)};
-  if (table.velocity.has_value() == table.displacement.has_value()) {
+  if (table.velocity.has_value() + table.displacement.has_value() + table.schedule.is_given != 1) {
     input.file.add_error(input.file.position(view),
-                         fmt::format("give either 'velocity' or 'displacement' {}", view.where()));
+                         fmt::format("give one of 'velocity', 'displacement' and 'schedule' {}", view.where()));
+  } else if (table.schedule.is_given) {
+    motion.schedule = build_schedule(input, table, view);
   } else if (table.displacement) {
     const double time = motion.stop_time - 0.5 * motion.rise_time;
     if (!(motion.stop_time > 0.0 && motion.rise_time <= motion.stop_time)) {
@@ -99,17 +102,23 @@ StageVelocity velocity_of(Case& input, const MotionTable& table, const TableView
   return motion;
 }
 
-/// Takes note that loads and motions of a stage change until this time (s).
-void extend_stage(std::int64_t stage, double time, Conditions& conditions) {
+/// Takes note that loads or motions of a stage change their course at a time (s).
+void add_corner(std::int64_t stage, double time, Conditions& conditions) {
   const auto row = static_cast<std::size_t>(stage - 1);
-  if (conditions.end_of_loading.size() <= row) conditions.end_of_loading.resize(row + 1, 0.0);
-  conditions.end_of_loading[row] = std::max(conditions.end_of_loading[row], time);
+  if (conditions.corners.size() <= row) conditions.corners.resize(row + 1, {0.0});
+  std::vector<double>& corners = conditions.corners[row];
+  const auto place = std::lower_bound(corners.begin(), corners.end(), time);
+  if (place == corners.end() || *place != time) corners.insert(place, time);
 }
 
-void add_motion(Case& input, const SelectedBodies& bodies, const MotionTable& table, const TableView& view,
-                Conditions& conditions) {
+void add_corners(std::int64_t stage, const PiecewiseLinear& schedule, Conditions& conditions) {
+  for (const double time : schedule.times) add_corner(stage, time, conditions);
+}
+
+void add_motion(Case& input, const SelectedBodies& bodies, const MotionTable& table, const StageVelocity& motion,
+                const TableView& view, Conditions& conditions) {
   std::vector<PrescribedFreedom> moved;
-  add_freedoms(bodies, {.axis = axis_of(table.direction), .motions = {velocity_of(input, table, view)}}, moved);
+  add_freedoms(bodies, {.axis = axis_of(table.direction), .motions = {motion}}, moved);
   bool has_conflict = false;
   for (const PrescribedFreedom& freedom : moved) {
     PrescribedFreedom* known = find_freedom(conditions.freedoms, freedom);
@@ -130,9 +139,12 @@ void add_motion(Case& input, const SelectedBodies& bodies, const MotionTable& ta
 
 void add_motions(Case& input, const Model& model, Conditions& conditions) {
   for (const auto& [table, view] : input.motions) {
-    add_motion(input, bodies_of(input, model, table, view), table, view, conditions);
-    if (table.velocity.value_or(1.0) == 0.0) continue;
-    extend_stage(table.stage, table.stop_time.value_or(std::numeric_limits<double>::infinity()), conditions);
+    const StageVelocity motion = velocity_of(input, table, view);
+    add_motion(input, bodies_of(input, model, table, view), table, motion, view, conditions);
+    add_corners(table.stage, motion.schedule, conditions);
+    if (table.schedule.is_given || table.velocity.value_or(1.0) == 0.0) continue;
+    if (table.rise_time > 0.0) add_corner(table.stage, table.rise_time, conditions);
+    add_corner(table.stage, table.stop_time.value_or(std::numeric_limits<double>::infinity()), conditions);
     if (!table.stop_time && input.solver.unbalanced_force_ratio) {
       conditions.warnings.push_back(fmt::format(
           "[[motion]] '{}' has no 'stop_time': the run cannot converge and goes on to max_steps", table.name));
@@ -155,8 +167,10 @@ void hold_walls(const Model& model, Conditions& conditions) {
 void add_loads(Case& input, const Model& model, Conditions& conditions) {
   for (const auto& [table, view] : input.loads) {
     const SelectedBodies bodies = select_bodies(model, table.bodies, input.file, view);
-    extend_stage(table.stage, table.rise_time, conditions);
+    add_corner(table.stage, table.rise_time, conditions);
     PointLoad load{.force = to_vector(table.force), .rise_time = table.rise_time, .stage = table.stage};
+    if (table.schedule.is_given) load.schedule = build_schedule(input, table, view);
+    add_corners(table.stage, load.schedule, conditions);
     for (const Index row : bodies.nodes) {
       load.row = row;
       conditions.loads.push_back(load);
@@ -170,7 +184,7 @@ void add_loads(Case& input, const Model& model, Conditions& conditions) {
 }
 
 void check_stages(Case& input, const Conditions& conditions) {
-  const std::vector<double>& ends = conditions.end_of_loading;
+  const std::vector<double> ends = ends_of_loading(conditions.corners);
   if (ends.size() == 1) return;
   if (!input.solver.unbalanced_force_ratio) {
     input.file.add_error({},
@@ -183,6 +197,12 @@ void check_stages(Case& input, const Conditions& conditions) {
 }
 
 }  // namespace
+
+std::vector<double> ends_of_loading(const std::vector<std::vector<double>>& corners) {
+  std::vector<double> ends;
+  for (const std::vector<double>& of_stage : corners) ends.push_back(of_stage.back());
+  return ends;
+}
 
 Conditions build_conditions(Case& input, const Model& model) {
   Conditions conditions;

@@ -12,11 +12,12 @@
 namespace ligament {
 namespace {
 
-/// The node or particle that a gauge watches.
+/// The node or particle that a gauge watches, and its weight in a mean.
 struct WatchedBody {
   bool is_node = true;
   Index row = -1;
   int axis = 0;
+  double weight = 1.0;
 
   [[nodiscard]] const TranslationState& table(const State& state) const {
     return is_node ? state.nodes.translation : state.particles.translation;
@@ -28,10 +29,10 @@ struct WatchedBody {
 
 int axis_of(const GaugePoint& point) { return point.direction == "y" ? 1 : 0; }
 
-std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, const GaugePoint& point,
-                                            const TableView& view, const char* key) {
+std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, const std::vector<std::string>& names,
+                                            int axis, const TableView& view, const char* key) {
   std::vector<WatchedBody> bodies;
-  for (const std::string& name : point.supports) {
+  for (const std::string& name : names) {
     const auto support = std::find_if(input.supports.begin(), input.supports.end(),
                                       [&](const auto& other) { return other.table.name == name; });
     if (support == input.supports.end()) {
@@ -40,8 +41,8 @@ std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, con
       continue;
     }
     const SelectedBodies selected = select_bodies(model, support->table.bodies, input.file, support->view);
-    for (const Index row : selected.nodes) bodies.push_back({true, row, axis_of(point)});
-    for (const Index row : selected.particles) bodies.push_back({false, row, axis_of(point)});
+    for (const Index row : selected.nodes) bodies.push_back({true, row, axis});
+    for (const Index row : selected.particles) bodies.push_back({false, row, axis});
   }
   return bodies;
 }
@@ -62,6 +63,44 @@ WatchedBody nearest_body(const Model& model, const Vector& place, int axis) {
   return nearest;
 }
 
+/// The nodes of the element that holds a place, by their share in its motion; nothing if there is no element. Elements
+/// are rectangles along the axes.
+std::vector<WatchedBody> nodes_around(const Model& model, const Vector& place, int axis) {
+  for (const auto& nodes : model.elements.nodes) {
+    const Vector low = model.nodes.position[nodes[0]];
+    const Vector high = model.nodes.position[nodes[2]];
+    const double x = (place.x - low.x) / (high.x - low.x);
+    const double y = (place.y - low.y) / (high.y - low.y);
+    // A place on a grid line may lie beside it by rounding.
+    constexpr double rounding = 1e-9;
+    if (std::min(x, y) < -rounding || std::max(x, y) > 1.0 + rounding) continue;
+    return {{true, nodes[0], axis, (1.0 - x) * (1.0 - y)},
+            {true, nodes[1], axis, x * (1.0 - y)},
+            {true, nodes[2], axis, x * y},
+            {true, nodes[3], axis, (1.0 - x) * y}};
+  }
+  return {};
+}
+
+/// What moves with a place: its element, or the particle whose edge is nearest; nothing if it is outside the structure,
+/// which is an error of the case file.
+std::vector<WatchedBody> bodies_at(Case& input, const Model& model, const Vector& place, int axis,
+                                   const TableView& view, const char* key) {
+  std::vector<WatchedBody> nodes = nodes_around(model, place, axis);
+  if (!nodes.empty()) return nodes;
+  const auto gap = [&](Index row) { return norm(model.particles.position[row] - place) - model.particles.radius[row]; };
+  Index nearest = 0;
+  const auto n_particles = static_cast<Index>(model.particles.size());
+  for (Index row = 1; row < n_particles; ++row) {
+    if (gap(row) < gap(nearest)) nearest = row;
+  }
+  // choice: voids of assemblies are smaller than the particles around them.
+  if (n_particles > 0 && gap(nearest) <= model.particles.radius[nearest]) return {{false, nearest, axis}};
+  input.file.add_error(input.file.position(view, key), fmt::format("there is no element or particle at ({} m, {} m) {}",
+                                                                   place.x, place.y, view.where()));
+  return {};
+}
+
 Gauge opening_gauge(const std::string& name, const WatchedBody& from, const WatchedBody& to) {
   return {name, name + "_m", [from, to](const Model&, const State& state) {
             return component(to.table(state).displacement[to.row], to.axis) -
@@ -73,14 +112,15 @@ Gauge opening_gauge(const std::string& name, const WatchedBody& from, const Watc
 std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const GaugePoint& point, const TableView& view,
                                      const char* key) {
   const SourcePosition position = input.file.position(view, key);
-  const int n_given =
-      point.node.has_value() + point.particle.has_value() + point.wall.has_value() + !point.supports.empty();
+  const int n_given = point.node.has_value() + point.particle.has_value() + point.point.has_value() +
+                      point.wall.has_value() + !point.supports.empty();
   if (n_given != 1) {
-    input.file.add_error(
-        position, fmt::format("'{}' needs one of 'node', 'particle', 'wall' and 'supports' {}", key, view.where()));
+    input.file.add_error(position, fmt::format("'{}' needs one of 'node', 'particle', {}'wall' and 'supports' {}", key,
+                                               std::string(key) == "displacement" ? "'point', " : "", view.where()));
     return {};
   }
-  if (!point.supports.empty()) return bodies_of_supports(input, model, point, view, key);
+  if (!point.supports.empty()) return bodies_of_supports(input, model, point.supports, axis_of(point), view, key);
+  if (point.point) return bodies_at(input, model, to_vector(*point.point), axis_of(point), view, key);
   if (point.wall) {
     const auto nodes = find_wall(model, *point.wall, input.file, view, key);
     if (!nodes) return {};
@@ -96,14 +136,25 @@ std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const Gaug
   return {};
 }
 
+double mean_displacement(const std::vector<WatchedBody>& bodies, const State& state) {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (const WatchedBody& body : bodies) {
+    sum += body.weight * component(body.table(state).displacement[body.row], body.axis);
+    weight += body.weight;
+  }
+  return sum / weight;
+}
+
 /// Of a wall, the mean of its ends.
-Gauge displacement_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
-  return {name, name + "_m", [bodies](const Model&, const State& state) {
-            double sum = 0.0;
-            for (const WatchedBody& body : bodies) {
-              sum += component(body.table(state).displacement[body.row], body.axis);
-            }
-            return sum / static_cast<double>(bodies.size());
+Gauge displacement_gauge(Case& input, const Model& model, const GaugeTable& table, const TableView& view) {
+  const GaugePoint& point = table.displacement;
+  const std::vector<WatchedBody> bodies = find_bodies(input, model, point, view, "displacement");
+  const std::vector<WatchedBody> others =
+      bodies_of_supports(input, model, point.relative_to, axis_of(point), view, "displacement");
+  return {table.name, table.name + "_m", [bodies, others](const Model&, const State& state) {
+            const double displacement = mean_displacement(bodies, state);
+            return others.empty() ? displacement : displacement - mean_displacement(others, state);
           }};
 }
 
@@ -160,7 +211,7 @@ Gauge strain_gauge(const std::string& name, const Rectangle& region, const std::
 
 Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, const TableView& view) {
   if (table.displacement.is_given) {
-    return displacement_gauge(table.name, find_bodies(input, model, table.displacement, view, "displacement"));
+    return displacement_gauge(input, model, table, view);
   }
   if (table.reaction.is_given) {
     const auto bodies = find_bodies(input, model, table.reaction, view, "reaction");

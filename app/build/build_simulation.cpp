@@ -53,13 +53,14 @@ BuiltSimulation build_simulation(Case& input) {
   modules.integrator = std::move(input.solver.integrator);
   modules.loading = std::move(input.solver.loading);
   if (modules.loading) {
-    modules.loading->set_loading(conditions.freedoms, conditions.end_of_loading, *input.solver.unbalanced_force_ratio);
+    modules.loading->set_loading(conditions.freedoms, conditions.corners, *input.solver.unbalanced_force_ratio);
   }
   modules.contact_detector = std::make_unique<GridContactDetector>(skin_of(input, built.model));
   modules.force_providers = force_providers(input, std::move(conditions.loads));
   modules.constraints.push_back(std::move(motion));
   std::vector<Gauge> gauges = build_gauges(input, built.model);
-  std::optional<StopCriterion> stop = build_stop_criterion(input, gauges);
+  std::vector<StopCriterion> stops = build_stop_criteria(input, gauges);
+  const std::optional<UniaxialTest> uniaxial = build_uniaxial_test(input, gauges);
   input.file.throw_collected_errors();
 
   BuiltSimulation result{
@@ -67,10 +68,15 @@ BuiltSimulation build_simulation(Case& input) {
       .gauges = std::move(gauges),
       .reports = std::move(built.reports),
       .freedoms = std::move(conditions.freedoms),
-      .end_of_loading = std::move(conditions.end_of_loading),
-      .stop = stop,
+      .end_of_loading = ends_of_loading(conditions.corners),
+      .stops = std::move(stops),
+      .pieces = {},
+      .uniaxial = uniaxial,
       .warnings = std::move(conditions.warnings),
   };
+  if (input.stop && input.stop->table.cut_off_share) {
+    result.pieces.emplace(result.simulation.model(), result.simulation.state());
+  }
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
   check_contacts(input, result.simulation.model(), result.simulation.state());
   refuse_idle_notches(input, result.simulation.model());

@@ -7,33 +7,60 @@
 #include "core/closest_name.hpp"
 
 namespace ligament {
+namespace {
 
-bool StopCriterion::is_reached(const std::vector<double>& readings, const Field<double>& peaks) const {
-  const double now = readings[gauge];
-  // While nothing has risen, nothing has dropped.
-  const bool has_dropped = drop_to_share && peaks[gauge] > 0.0 && now <= *drop_to_share * peaks[gauge];
-  return has_dropped || (above && now > *above) || (below && now < *below);
-}
+bool is_given(const GaugeLimit& limit) { return limit.drop_to_share || limit.above || limit.below; }
 
-std::optional<StopCriterion> build_stop_criterion(Case& input, const std::vector<Gauge>& gauges) {
-  if (!input.stop) return std::nullopt;
-  const auto& [table, view] = *input.stop;
-  const std::string wanted = table.gauge.value_or("");
-  const auto found =
-      std::find_if(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == wanted; });
-  if (found == gauges.end()) {
-    std::vector<std::string> names;
-    for (const Gauge& gauge : gauges) names.push_back(gauge.name);
-    input.file.add_error(input.file.position(view, "gauge"),
-                         fmt::format("there is no gauge '{}' {} (there are: {}){}", wanted, view.where(),
-                                     names.empty() ? "none" : quoted_list(names), did_you_mean(wanted, names)));
-    return std::nullopt;
-  }
-  if (!table.drop_to_share && !table.above && !table.below) {
+void add_criterion(Case& input, const std::vector<Gauge>& gauges, const std::string& gauge, const GaugeLimit& limit,
+                   const TableView& view, std::vector<StopCriterion>& criteria) {
+  if (!is_given(limit)) {
     input.file.add_error(input.file.position(view),
                          fmt::format("give 'drop_to_share', 'above' or 'below' {}", view.where()));
   }
-  return StopCriterion{static_cast<std::size_t>(found - gauges.begin()), table.drop_to_share, table.above, table.below};
+  const auto number = find_gauge(input, gauges, gauge, view, "gauge");
+  if (number) criteria.push_back({*number, gauge, limit});
+}
+
+}  // namespace
+
+std::string StopCriterion::reached(const std::vector<double>& readings, const Field<double>& peaks) const {
+  const double now = readings[gauge];
+  // While nothing has risen, nothing has dropped.
+  if (limit.drop_to_share && peaks[gauge] > 0.0 && now <= *limit.drop_to_share * peaks[gauge]) {
+    return fmt::format("gauge '{}' has dropped to {} of its peak", name, *limit.drop_to_share);
+  }
+  if (limit.above && now > *limit.above) return fmt::format("gauge '{}' is above {}", name, *limit.above);
+  if (limit.below && now < *limit.below) return fmt::format("gauge '{}' is below {}", name, *limit.below);
+  return {};
+}
+
+std::optional<std::size_t> find_gauge(Case& input, const std::vector<Gauge>& gauges, const std::string& name,
+                                      const TableView& view, const char* key) {
+  const auto found = std::find_if(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == name; });
+  if (found != gauges.end()) return static_cast<std::size_t>(found - gauges.begin());
+  std::vector<std::string> names;
+  for (const Gauge& gauge : gauges) names.push_back(gauge.name);
+  input.file.add_error(input.file.position(view, key),
+                       fmt::format("there is no gauge '{}' {} (there are: {}){}", name, view.where(),
+                                   names.empty() ? "none" : quoted_list(names), did_you_mean(name, names)));
+  return std::nullopt;
+}
+
+std::vector<StopCriterion> build_stop_criteria(Case& input, const std::vector<Gauge>& gauges) {
+  std::vector<StopCriterion> criteria;
+  if (input.stop) {
+    const auto& [table, view] = *input.stop;
+    if (table.gauge) {
+      add_criterion(input, gauges, *table.gauge, table.limit, view, criteria);
+    } else if (is_given(table.limit)) {
+      input.file.add_error(input.file.position(view), fmt::format("missing key 'gauge' {}", view.where()));
+    } else if (!table.cut_off_share && !table.crack_span) {
+      input.file.add_error(input.file.position(view),
+                           fmt::format("give 'gauge', 'cut_off_share' or 'crack_span' {}", view.where()));
+    }
+  }
+  for (const auto& [table, view] : input.limits) add_criterion(input, gauges, table.gauge, table.limit, view, criteria);
+  return criteria;
 }
 
 }  // namespace ligament

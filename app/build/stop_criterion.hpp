@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "case/case.hpp"
@@ -11,15 +12,19 @@ namespace ligament {
 /// Ends a run by what a gauge shows.
 struct StopCriterion {
   std::size_t gauge = 0;  ///< its number
-  std::optional<double> drop_to_share;
-  std::optional<double> above;
-  std::optional<double> below;
+  std::string name;       ///< its name
+  GaugeLimit limit;
 
-  /// From the readings of all gauges now, and their largest ones so far.
-  [[nodiscard]] bool is_reached(const std::vector<double>& readings, const Field<double>& peaks) const;
+  /// From the readings of all gauges now, and their largest ones so far: what has been reached, in words; empty if
+  /// nothing has.
+  [[nodiscard]] std::string reached(const std::vector<double>& readings, const Field<double>& peaks) const;
 };
 
-/// That of the case, if it has one; what is wrong with it becomes an error of the case file.
-std::optional<StopCriterion> build_stop_criterion(Case& input, const std::vector<Gauge>& gauges);
+/// Those of the case, the one of [stop] first; what is wrong with them becomes an error of the case file.
+std::vector<StopCriterion> build_stop_criteria(Case& input, const std::vector<Gauge>& gauges);
+
+/// The number of the gauge with this name; if there is none, nothing, and an error of the case file at this key.
+std::optional<std::size_t> find_gauge(Case& input, const std::vector<Gauge>& gauges, const std::string& name,
+                                      const TableView& view, const char* key);
 
 }  // namespace ligament

@@ -41,8 +41,10 @@ struct Case {
   std::vector<Read<LoadTable>> loads;
   std::vector<Read<GaugeTable>> gauges;
   PropertiesTable properties;
+  std::optional<Read<UniaxialTable>> uniaxial;  ///< of the kind "uniaxial", and of no other
   SolverTable solver;
   std::optional<Read<StopTable>> stop;
+  std::vector<Read<LimitTable>> limits;
   OutputTable output;
   CheckpointTable checkpoint;
   AuditTable audit;

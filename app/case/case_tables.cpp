@@ -13,10 +13,14 @@ void declare_stage(Parameters& parameters, std::int64_t& stage) {
 }  // namespace
 
 void ProblemTable::declare(Parameters& parameters) {
-  parameters.choice("kind", kind,
-                    {{"structure", CaseKind::structure}, {"assembly_properties", CaseKind::assembly_properties}},
-                    "'structure': what the tables say; 'assembly_properties': the one zone is put between frictionless "
-                    "walls and loaded along x, then along y, for its Young's moduli and Poisson's ratios");
+  parameters.choice(
+      "kind", kind,
+      {{"structure", CaseKind::structure},
+       {"assembly_properties", CaseKind::assembly_properties},
+       {"uniaxial", CaseKind::uniaxial}},
+      "'structure': what the tables say; 'assembly_properties': the one zone is put between frictionless "
+      "walls and loaded along x, then along y, for its Young's moduli and Poisson's ratios; 'uniaxial': a "
+      "structure that is a specimen, whose strength, Young's modulus and fracture energy are results");
   parameters.choice("plane", plane, {{"stress", PlaneState::stress}, {"strain", PlaneState::strain}},
                     "plane stress or plane strain");
   parameters.quantity("thickness", thickness, "m", "thickness t of the body").required().greater_than(0.0);
@@ -110,12 +114,26 @@ void SupportTable::declare(Parameters& parameters) {
       .one_of({"x", "y", "rotation"});
 }
 
+void MotionSchedule::declare(Parameters& parameters) {
+  parameters.quantities("time", time, "s", "ascending from 0 s, the beginning of the stage").required();
+  parameters
+      .quantities("displacement", displacement, "m", "at each of the times, from where the stage began: 0 m at first")
+      .required();
+}
+
+void LoadSchedule::declare(Parameters& parameters) {
+  parameters.quantities("time", time, "s", "ascending from 0 s, the beginning of the stage").required();
+  parameters.numbers("share", share, "share of the force that acts at each of the times").required();
+}
+
 void MotionTable::declare(Parameters& parameters) {
   bodies.declare(parameters);
   parameters.texts("walls", walls, "names of walls");
   parameters.text("direction", direction, "axis of the prescribed motion").required().one_of({"x", "y"});
-  parameters.quantity("velocity", velocity, "m/s", "prescribed velocity; or give 'displacement'");
+  parameters.quantity("velocity", velocity, "m/s", "prescribed velocity; or give 'displacement' or 'schedule'");
   parameters.quantity("displacement", displacement, "m", "displacement made until 'stop_time', instead of 'velocity'");
+  schedule.declare(parameters.table("schedule", schedule.is_given,
+                                    "displacements at times, with straight lines between them, instead of 'velocity'"));
   parameters.quantity("rise_time", rise_time, "s", "time within which the velocity rises linearly").at_least(0.0);
   parameters.quantity("stop_time", stop_time, "s", "time at which the motion stops, from the beginning of its stage")
       .at_least(0.0);
@@ -127,6 +145,9 @@ void LoadTable::declare(Parameters& parameters) {
   parameters.point("force", force, "N", "force on each of the bodies").required();
   parameters.quantity("rise_time", rise_time, "s", "time within which the force rises linearly; 0: suddenly")
       .at_least(0.0);
+  schedule.declare(parameters.table("schedule", schedule.is_given,
+                                    "shares of the force at times, with straight lines between them, instead of "
+                                    "'rise_time'; the last one stays on"));
   declare_stage(parameters, stage);
 }
 
@@ -136,6 +157,13 @@ void GaugePoint::declare(Parameters& parameters) {
   parameters.text("wall", wall, "name of the wall");
   parameters.texts("supports", supports, "names of supports, whose reactions are summed up");
   parameters.text("direction", direction, "axis").required().one_of({"x", "y"});
+}
+
+void GaugePoint::declare_displacement(Parameters& parameters) {
+  declare(parameters);
+  parameters.point("point", point, "m",
+                   "a place at set-up: of the element there, or of the particle that is nearest by its edge");
+  parameters.texts("relative_to", relative_to, "names of supports, whose mean displacement is taken off");
 }
 
 void GaugePair::declare(Parameters& parameters) {
@@ -151,8 +179,8 @@ void GaugeRegion::declare(Parameters& parameters) {
 }
 
 void GaugeTable::declare(Parameters& parameters) {
-  displacement.declare(
-      parameters.table("displacement", displacement.is_given, "displacement of a node or particle (m)"));
+  displacement.declare_displacement(
+      parameters.table("displacement", displacement.is_given, "displacement of a node, particle, place or wall (m)"));
   reaction.declare(parameters.table("reaction", reaction.is_given, "force that holds a supported or driven body (N)"));
   opening.declare(
       parameters.table("opening", opening.is_given, "displacement of a second body less that of a first one (m)"));
@@ -193,8 +221,7 @@ void SolverTable::declare(Parameters& parameters) {
   parameters.integer("check_every", check_every, "steps between two checks of convergence").at_least(1);
 }
 
-void StopTable::declare(Parameters& parameters) {
-  parameters.text("gauge", gauge, "name of the gauge that is watched").required();
+void GaugeLimit::declare(Parameters& parameters) {
   parameters
       .number("drop_to_share", drop_to_share,
               "the run ends when the gauge has fallen to this share of its largest value")
@@ -204,11 +231,44 @@ void StopTable::declare(Parameters& parameters) {
   parameters.number("below", below, "the run ends when the gauge is below this, in its SI unit");
 }
 
+void LimitTable::declare(Parameters& parameters) {
+  parameters.text("gauge", gauge, "name of the gauge that is watched").required();
+  limit.declare(parameters);
+}
+
+void StopTable::declare(Parameters& parameters) {
+  parameters.text("gauge", gauge, "name of a gauge that is watched; [[limit]] watches more");
+  limit.declare(parameters);
+  parameters
+      .number(
+          "cut_off_share", cut_off_share,
+          "the run ends when broken bonds have cut off a piece with more than this share of the area of the structure")
+      .greater_than(0.0)
+      .less_than(0.5);
+  parameters
+      .quantity("crack_span", crack_span, "m",
+                "the run ends when the ends of the macro-crack are further apart than this: when it has run through a "
+                "section of this width")
+      .greater_than(0.0);
+}
+
+void UniaxialTable::declare(Parameters& parameters) {
+  parameters.text("load", load, "name of the gauge of the load, a reaction along the axis of the specimen");
+  parameters.text("elongation", elongation,
+                  "name of the gauge of the elongation; the area below load over elongation is the fracture energy");
+}
+
 void OutputTable::declare(Parameters& parameters) {
   parameters.integer("every", every, "steps between two rows of history.csv and energy.csv").at_least(1);
   parameters
       .integer("fields_every", fields_every,
                "steps between two field outputs; without it only the first and the last state are written")
+      .at_least(1);
+  parameters
+      .integer(
+          "transient_every", transient_every,
+          "evaluations of the forces between two rows of transient.csv, which shows what happens from one state of "
+          "equilibrium to the next; without it there is no such file")
       .at_least(1);
 }
 

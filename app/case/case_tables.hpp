@@ -18,7 +18,7 @@
 namespace ligament {
 
 /// What a case is: a structure under the loads it lists, or a test that sets its own.
-enum class CaseKind { structure, assembly_properties };
+enum class CaseKind { structure, assembly_properties, uniaxial };
 
 struct ProblemTable {
   CaseKind kind = CaseKind::structure;
@@ -115,6 +115,24 @@ struct SupportTable {
   void declare(Parameters& parameters);
 };
 
+/// Displacements at times, with straight lines between them.
+struct MotionSchedule {
+  bool is_given = false;
+  std::vector<double> time;
+  std::vector<double> displacement;
+
+  void declare(Parameters& parameters);
+};
+
+/// Shares of a force at times, likewise.
+struct LoadSchedule {
+  bool is_given = false;
+  std::vector<double> time;
+  std::vector<double> share;
+
+  void declare(Parameters& parameters);
+};
+
 struct MotionTable {
   std::string name;
   BodySelection bodies;
@@ -122,6 +140,7 @@ struct MotionTable {
   std::string direction;
   std::optional<double> velocity;
   std::optional<double> displacement;
+  MotionSchedule schedule;
   double rise_time = 0.0;
   std::optional<double> stop_time;
   std::int64_t stage = 1;
@@ -133,15 +152,18 @@ struct LoadTable {
   std::string name;
   BodySelection bodies;
   std::array<double, 2> force{};
+  LoadSchedule schedule;
   double rise_time = 0.0;
   std::int64_t stage = 1;
 
   void declare(Parameters& parameters);
 };
 
-/// One body, a wall or the bodies of supports, and an axis.
+/// One body, a place, a wall or the bodies of supports, and an axis.
 struct GaugePoint {
   bool is_given = false;
+  std::optional<std::array<double, 2>> point;  ///< displacements alone
+  std::vector<std::string> relative_to;        ///< names of supports; displacements alone
   std::optional<std::int64_t> node;
   std::optional<std::int64_t> particle;
   std::optional<std::string> wall;
@@ -149,6 +171,7 @@ struct GaugePoint {
   std::string direction;
 
   void declare(Parameters& parameters);
+  void declare_displacement(Parameters& parameters);
 };
 
 /// Two places, and an axis.
@@ -205,9 +228,8 @@ struct SolverTable {
   void declare(Parameters& parameters);
 };
 
-/// When a run ends before its loading does.
-struct StopTable {
-  std::optional<std::string> gauge;
+/// A gauge that ends the run before its loading does.
+struct GaugeLimit {
   std::optional<double> drop_to_share;
   std::optional<double> above;
   std::optional<double> below;
@@ -215,9 +237,36 @@ struct StopTable {
   void declare(Parameters& parameters);
 };
 
+struct LimitTable {
+  std::string name;
+  std::string gauge;
+  GaugeLimit limit;
+
+  void declare(Parameters& parameters);
+};
+
+/// When a run ends before its loading does.
+struct StopTable {
+  std::optional<std::string> gauge;
+  GaugeLimit limit;
+  std::optional<double> cut_off_share;
+  std::optional<double> crack_span;
+
+  void declare(Parameters& parameters);
+};
+
+/// Which gauges of a uniaxial test tell of its results.
+struct UniaxialTable {
+  std::string load = "load";
+  std::string elongation = "elongation";
+
+  void declare(Parameters& parameters);
+};
+
 struct OutputTable {
   std::int64_t every = 100;
   std::optional<std::int64_t> fields_every;
+  std::optional<std::int64_t> transient_every;
 
   void declare(Parameters& parameters);
 };

@@ -60,8 +60,11 @@ std::vector<TableDescription> describe_case() {
       describe<GaugeTable>("gauge", Kind::array, "A column of history.csv, named <name>_<unit>."),
       describe<PropertiesTable>("properties", Kind::single,
                                 "How assembly properties are measured; only with kind = \"assembly_properties\"."),
+      describe<UniaxialTable>("uniaxial", Kind::single,
+                              "Gauges that tell of a uniaxial test; only with kind = \"uniaxial\"."),
       describe<SolverTable>("solver", Kind::single, "How the equations of motion are stepped.", true),
       describe<StopTable>("stop", Kind::single, "When the run ends before its loading does."),
+      describe<LimitTable>("limit", Kind::array, "A gauge that ends the run before its loading does, besides [stop]."),
       describe<OutputTable>("output", Kind::single, "What is written when."),
       describe<CheckpointTable>("checkpoint", Kind::single, "When the state is saved for `resume`."),
       describe<AuditTable>("audit", Kind::single, "How closely the energy ledger must close.")};

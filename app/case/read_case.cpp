@@ -125,12 +125,21 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   if (input.problem.kind != CaseKind::assembly_properties && file.has("properties")) {
     file.add_error(file.position(file.table("properties")), "[properties] is for kind = \"assembly_properties\" alone");
   }
+  if (input.problem.kind == CaseKind::uniaxial) {
+    UniaxialTable uniaxial;
+    read_single(file, "uniaxial", uniaxial);
+    input.uniaxial.emplace(Read<UniaxialTable>{std::move(uniaxial), file.table("uniaxial")});
+  } else if (file.has("uniaxial")) {
+    file.add_error(file.position(file.table("uniaxial")), "[uniaxial] is for kind = \"uniaxial\" alone");
+    file.leave_unchecked(file.table("uniaxial"));
+  }
   read_solver(file, input.solver);
   if (file.has("stop")) {
     StopTable stop;
     read_single(file, "stop", stop);
     input.stop.emplace(Read<StopTable>{std::move(stop), file.table("stop")});
   }
+  input.limits = read_array<LimitTable>(file, "limit");
   read_single(file, "output", input.output);
   read_single(file, "checkpoint", input.checkpoint);
   read_single(file, "audit", input.audit);

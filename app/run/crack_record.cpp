@@ -114,4 +114,10 @@ std::vector<CrackPlane> read_broken_planes(const std::filesystem::path& path, st
   return planes;
 }
 
+std::vector<CrackPlane> planes_so_far(const std::filesystem::path& path, const Simulation& simulation) {
+  std::vector<CrackPlane> planes = read_broken_planes(path, simulation.state().clock.step);
+  for (const CrackPlane& plane : softening_planes(simulation.model(), simulation.state())) planes.push_back(plane);
+  return planes;
+}
+
 }  // namespace ligament

@@ -39,4 +39,7 @@ class CrackRecord {
 /// list since. FileError if the file cannot be read.
 std::vector<CrackPlane> read_broken_planes(const std::filesystem::path& path, std::int64_t last_step);
 
+/// The planes of all bonds that have broken or soften at the present step.
+std::vector<CrackPlane> planes_so_far(const std::filesystem::path& path, const Simulation& simulation);
+
 }  // namespace ligament

@@ -14,7 +14,7 @@ Vector sum(const Field<Vector>& forces) {
 std::optional<double> ExternalForces::mismatch() const {
   const double size = norm(driving);
   if (!(size > 0.0)) return std::nullopt;
-  return norm(driving + supporting) / size;
+  return lacking() / size;
 }
 
 ExternalForces external_forces(const Simulation& simulation, const std::vector<PrescribedFreedom>& freedoms) {

@@ -12,7 +12,9 @@ struct ExternalForces {
   Vector driving{};     ///< loads, gravity, and what moves bodies at prescribed velocities (N)
   Vector supporting{};  ///< reactions of supports (N)
 
-  /// What is missing to balance, as a share of the driving force; nothing without a driving resultant.
+  /// What is missing to balance (N).
+  [[nodiscard]] double lacking() const { return norm(driving + supporting); }
+  /// The same, as a share of the driving force; nothing without a driving resultant.
   [[nodiscard]] std::optional<double> mismatch() const;
 };
 

@@ -160,7 +160,7 @@ std::optional<MacroCrack> find_macro_crack(std::span<const CrackPlane> all_plane
     if (span.distance > widest.distance) widest = span;
   }
   const std::vector<std::size_t> chain = shortest_chain(links, widest.first, widest.last);
-  MacroCrack crack{.path = {widest.from}};
+  MacroCrack crack{.path = {widest.from}, .span = widest.distance};
   for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
     crack.path.push_back(meeting(planes[chain[i]], planes[chain[i + 1]]).point);
   }

@@ -11,6 +11,7 @@ namespace ligament {
 /// The connected crack that spans most.
 struct MacroCrack {
   Field<Vector> path;       ///< from one end to the other, through the points where neighbouring planes meet (m)
+  double span = 0.0;        ///< distance of the ends (m)
   double length = 0.0;      ///< along the path (m)
   double tortuosity = 1.0;  ///< length over the distance of its ends
   double damaged_width =

@@ -12,6 +12,13 @@ std::vector<std::string> history_columns(const BuiltSimulation& built) {
   return columns;
 }
 
+std::vector<std::string> transient_columns(const BuiltSimulation& built) {
+  std::vector<std::string> columns{"evaluation", "time_s"};
+  for (const Gauge& gauge : built.gauges) columns.push_back(gauge.column);
+  for (const char* name : {"unbalanced_force_ratio", "kinetic_energy_J"}) columns.emplace_back(name);
+  return columns;
+}
+
 std::vector<std::string> energy_columns(const BuiltSimulation& built) {
   std::vector<std::string> columns{"time_s"};
   for (const EnergyTerm& term : built.simulation.energies()) columns.push_back(term.name + "_J");
@@ -22,19 +29,26 @@ std::vector<std::string> energy_columns(const BuiltSimulation& built) {
 
 }  // namespace
 
-Results::Results(const RunDirectory& directory, BuiltSimulation& built)
+Results::Results(const RunDirectory& directory, BuiltSimulation& built, bool has_transients)
     : history_(CsvTable::create(directory.file("history.csv"), history_columns(built))),
       energy_(CsvTable::create(directory.file("energy.csv"), energy_columns(built))),
       cracks_(directory.file("cracks.csv"), built.simulation),
       fields_(directory.file("fields")) {
+  if (has_transients) {
+    transient_.emplace(CsvTable::create(directory.file("transient.csv"), transient_columns(built)));
+  }
   fields_.resume(-1);
 }
 
-Results::Results(const RunDirectory& directory, const BuiltSimulation& built, std::int64_t resumed_step)
+Results::Results(const RunDirectory& directory, const BuiltSimulation& built, bool has_transients,
+                 std::int64_t resumed_step)
     : history_(CsvTable::resume(directory.file("history.csv"), history_columns(built), resumed_step)),
       energy_(CsvTable::resume(directory.file("energy.csv"), energy_columns(built), resumed_step)),
       cracks_(directory.file("cracks.csv"), built.simulation, resumed_step),
       fields_(directory.file("fields")) {
+  if (has_transients) {
+    transient_.emplace(CsvTable::resume(directory.file("transient.csv"), transient_columns(built), resumed_step));
+  }
   fields_.resume(resumed_step);
 }
 
@@ -63,8 +77,19 @@ HistoryRow Results::write_row(BuiltSimulation& built) {
   return row;
 }
 
+void Results::write_transient_row(const BuiltSimulation& built, std::int64_t evaluation, double kinetic_energy) {
+  const Simulation& simulation = built.simulation;
+  const Clock& clock = simulation.state().clock;
+  std::vector<double> row{static_cast<double>(evaluation), clock.time};
+  for (const Gauge& gauge : built.gauges) row.push_back(gauge.value(simulation.model(), simulation.state()));
+  row.insert(row.end(), {simulation.unbalance().ratio(), kinetic_energy});
+  // The clock counts equilibria: this is on the way to the next one.
+  transient_->append(clock.step + 1, row);
+}
+
 void Results::sync() {
   history_.sync();
+  if (transient_) transient_->sync();
   energy_.sync();
   cracks_.sync();
 }

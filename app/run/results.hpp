@@ -20,18 +20,21 @@ struct HistoryRow {
   double energy_error = 0.0;
 };
 
-/// The result files of a run that grow with it: history.csv, energy.csv, cracks.csv and fields/.
+/// The result files of a run that grow with it: history.csv, energy.csv, cracks.csv, fields/, and transient.csv where
+/// the case asks for it.
 class Results {
  public:
   /// Starts new files.
-  Results(const RunDirectory& directory, BuiltSimulation& built);
+  Results(const RunDirectory& directory, BuiltSimulation& built, bool has_transients);
   /// Goes on with the files of a run that is resumed at this step; what they hold beyond it is dropped.
-  Results(const RunDirectory& directory, const BuiltSimulation& built, std::int64_t resumed_step);
+  Results(const RunDirectory& directory, const BuiltSimulation& built, bool has_transients, std::int64_t resumed_step);
 
   /// Takes note of the bonds that the last step or increment broke.
   void record_breaks(Simulation& simulation) { cracks_.observe(simulation); }
   /// Audits the energy and writes a row of both tables.
   HistoryRow write_row(BuiltSimulation& built);
+  /// A row of transient.csv, on the way to the next state of equilibrium.
+  void write_transient_row(const BuiltSimulation& built, std::int64_t evaluation, double kinetic_energy);
   void write_fields(const Simulation& simulation) { fields_.write(simulation.model(), simulation.state()); }
   /// Brings the rows to the disk, before a checkpoint relies on them.
   void sync();
@@ -39,6 +42,7 @@ class Results {
  private:
   CsvTable history_;
   CsvTable energy_;
+  std::optional<CsvTable> transient_;
   CrackRecord cracks_;
   FieldOutput fields_;
 };

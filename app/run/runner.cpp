@@ -7,6 +7,9 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "run/crack_record.hpp"
+#include "run/external_forces.hpp"
+#include "run/macro_crack.hpp"
 #include "run/run_report.hpp"
 #include "run/signals.hpp"
 #include "run/summary.hpp"
@@ -55,11 +58,17 @@ Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& di
       table_(input, built.gauges, console) {
   // The audits of every step are those of stepping.
   built.simulation.interrupt_increments_by(&is_stop_requested);
+  if (input.output.transient_every) {
+    const auto write_row = [this](std::int64_t evaluation, double kinetic_energy) {
+      results_->write_transient_row(built_, evaluation, kinetic_energy);
+    };
+    built.simulation.observe_increments_by({*input.output.transient_every, write_row});
+  }
   if (audits_every_step(input) && !built.simulation.is_quasi_static()) step_audit_.emplace(built.simulation);
 }
 
 ExitCode Runner::start() {
-  results_.emplace(directory_, built_);
+  results_.emplace(directory_, built_, input_.output.transient_every.has_value());
   table_.show_header();
   table_.show(results_->write_row(built_));
   results_->write_fields(built_.simulation);
@@ -84,7 +93,7 @@ ExitCode Runner::resume() {
   console_.line(fmt::format("resuming from step {}", *step));
   last_checkpoint_ = fmt::format("the one of step {}", *step);
   checkpoint_step_ = *step;
-  results_.emplace(directory_, built_, *step);
+  results_.emplace(directory_, built_, input_.output.transient_every.has_value(), *step);
   if (step_audit_) step_audit_.emplace(built_.simulation);
   table_.show_header();
   return go_on();
@@ -153,15 +162,37 @@ std::vector<double> Runner::readings() const {
   return values;
 }
 
-bool Runner::watch_gauges() {
-  if (!built_.simulation.is_quasi_static() && !is_due(input_.solver.check_every)) return false;
+void Runner::watch_gauges() {
+  const bool is_quasi_static = built_.simulation.is_quasi_static();
+  built_.simulation.note_readings(
+      readings(), is_quasi_static ? external_forces(built_.simulation, built_.freedoms).lacking() : 0.0);
+}
+
+std::string Runner::reached_criterion() const {
   const std::vector<double> values = readings();
-  built_.simulation.note_readings(values);
-  return built_.stop && built_.stop->is_reached(values, built_.simulation.state().stage.peaks);
+  for (const StopCriterion& stop : built_.stops) {
+    std::string reached = stop.reached(values, built_.simulation.state().stage.peaks);
+    if (!reached.empty()) return reached;
+  }
+  if (built_.pieces) {
+    const double share = built_.pieces->largest_cut_off(built_.simulation.model(), built_.simulation.state());
+    if (share > *input_.stop->table.cut_off_share) return fmt::format("{:.3g} of the structure is cut off", share);
+  }
+  if (input_.stop && input_.stop->table.crack_span) {
+    const auto crack = find_macro_crack(planes_so_far(directory_.file("cracks.csv"), built_.simulation));
+    if (crack && crack->span > *input_.stop->table.crack_span) {
+      return fmt::format("the macro-crack spans {:.3g} m", crack->span);
+    }
+  }
+  return {};
 }
 
 std::optional<Ending> Runner::find_ending() {
-  if (watch_gauges()) return Ending::completed;
+  if (built_.simulation.is_quasi_static() || is_due(input_.solver.check_every)) {
+    watch_gauges();
+    reached_ = reached_criterion();
+    if (!reached_.empty()) return Ending::completed;
+  }
   const bool is_complete = is_stage_complete();
   if (is_complete && is_last_stage()) return Ending::converged;
   stage_is_complete_ = is_complete;
@@ -245,7 +276,7 @@ void Runner::check_finite() {
 
 ExitCode Runner::finish(Ending ending) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  RunSummary summary{.ending = ending, .wall_time = seconds, .divergence = divergence_};
+  RunSummary summary{.ending = ending, .wall_time = seconds, .reached = reached_, .divergence = divergence_};
   if (step_audit_) {
     summary.motion_error = step_audit_->motion_error();
     summary.transfer_error = step_audit_->transfer_error();

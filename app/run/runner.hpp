@@ -38,8 +38,10 @@ class Runner {
   [[nodiscard]] bool can_converge() const;
   /// Values of all gauges at this boundary.
   [[nodiscard]] std::vector<double> readings() const;
-  /// Takes note of the peaks of gauges; whether one of them ends the run.
-  bool watch_gauges();
+  /// Takes note of the peaks of gauges and of the balance of forces.
+  void watch_gauges();
+  /// Which criterion of the case ends the run, in words; empty if none does.
+  [[nodiscard]] std::string reached_criterion() const;
   /// Whether the stage of loading has come to its end: fully loaded and in equilibrium.
   bool is_stage_complete();
   [[nodiscard]] bool is_last_stage() const;
@@ -70,6 +72,7 @@ class Runner {
   std::string last_checkpoint_ = "none";
   std::int64_t checkpoint_step_ = -1;  ///< of the last one
   bool wants_checkpoint_ = false;      ///< asked for by a signal
+  std::string reached_;                ///< criterion of the case that has ended the run
   bool stage_is_complete_ = false;     ///< at this boundary, with more stages to come
   std::string divergence_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();

@@ -9,10 +9,12 @@
 #include "core/parallel.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
+#include "io/csv_table.hpp"
 #include "run/crack_record.hpp"
 #include "run/external_forces.hpp"
 #include "run/macro_crack.hpp"
 #include "run/run_report.hpp"
+#include "run/uniaxial_results.hpp"
 #include "version.hpp"
 
 namespace ligament {
@@ -55,8 +57,10 @@ Json packings(const BuiltSimulation& built) {
   return zones;
 }
 
-/// Of the only state of equilibrium there is, the last one; null if the run has found none.
+/// The largest of all increments; else of the only state of equilibrium there is, the last one, and null if the run has
+/// found none.
 Json force_mismatch(const BuiltSimulation& built, Ending ending) {
+  if (built.simulation.is_quasi_static()) return built.simulation.state().stage.force_mismatch;
   if (ending != Ending::converged) return nullptr;
   const auto mismatch = external_forces(built.simulation, built.freedoms).mismatch();
   return mismatch ? Json(*mismatch) : Json(nullptr);
@@ -77,8 +81,25 @@ void add_properties(const std::string& prefix, const AssemblyProperties& propert
   values[prefix + "poisson_ratio_y"] = properties.poisson_ratio_y;
 }
 
+/// What a uniaxial test has measured so far, by the rows of history.csv; nothing before the load has risen.
+void add_uniaxial(const BuiltSimulation& built, const RunDirectory& directory, Json& values) {
+  const UniaxialTest& test = *built.uniaxial;
+  const CsvContent history = read_csv(directory.file("history.csv"));
+  const std::vector<double> loads = history.numbers(built.gauges[test.load].column);
+  if (!(*std::max_element(loads.begin(), loads.end()) > 0.0)) return;
+  const UniaxialResults results = uniaxial_results(test, loads, history.numbers(built.gauges[test.elongation].column));
+  double dissipated = 0.0;
+  for (const EnergyTerm& term : built.simulation.energies()) {
+    if (term.name.starts_with("fracture_") || term.name == "friction") dissipated += term.value;
+  }
+  values["strength_Pa"] = results.strength;
+  values[test.axis == 0 ? "young_modulus_x_Pa" : "young_modulus_y_Pa"] = results.young_modulus;
+  values["fracture_energy_N_per_m"] = results.fracture_energy;
+  values["dissipated_energy_N_per_m"] = dissipated / test.area;
+}
+
 /// The values of the gauges at the end, and what the kind of case asks for once it is complete.
-Json results(const Case& input, const BuiltSimulation& built, Ending ending) {
+Json results(const Case& input, const BuiltSimulation& built, const RunDirectory& directory, Ending ending) {
   Json values = Json::object();
   const State& state = built.simulation.state();
   std::vector<double> readings = state.stage.readings;
@@ -90,6 +111,7 @@ Json results(const Case& input, const BuiltSimulation& built, Ending ending) {
     add_properties("", wall_properties(input, readings), values);
     add_properties("region_", region_properties(readings), values);
   }
+  if (built.uniaxial) add_uniaxial(built, directory, values);
   return values;
 }
 
@@ -118,6 +140,7 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
             {"case", directory.case_name()},
             {"case_hash", case_hash(input)},
             {"ended", name_of(summary.ending)},
+            {"ended_by", summary.reached.empty() ? Json(nullptr) : Json(summary.reached)},
             {"steps", simulation.state().clock.step},
             {"wall_time_s", summary.wall_time},
             {"threads", threads().count},
@@ -143,18 +166,18 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
   if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;
   if (!summary.divergence.empty()) json["divergence"] = summary.divergence;
   if (!built.reports.empty()) json["packing"] = packings(built);
-  std::vector<CrackPlane> planes = read_broken_planes(directory.file("cracks.csv"), simulation.state().clock.step);
-  for (const CrackPlane& plane : softening_planes(simulation.model(), simulation.state())) planes.push_back(plane);
+  const auto planes = planes_so_far(directory.file("cracks.csv"), simulation);
   if (const auto crack = find_macro_crack(planes)) json["crack"] = crack_of(*crack, directory);
-  json["results"] = results(input, built, summary.ending);
+  json["results"] = results(input, built, directory, summary.ending);
   write_atomically(directory.file("summary.json"), json.dump(2) + "\n");
   return passed;
 }
 
 std::string describe_ending(const Case& input, const BuiltSimulation& built, const RunSummary& summary,
                             bool audit_passed) {
-  return fmt::format("{} at step {} after {:.2f} s; energy audit {} (error {:.2g}, tolerance {:.2g})",
-                     name_of(summary.ending), built.simulation.state().clock.step, summary.wall_time,
+  const std::string reason = summary.reached.empty() ? "" : fmt::format(" ({})", summary.reached);
+  return fmt::format("{} at step {}{} after {:.2f} s; energy audit {} (error {:.2g}, tolerance {:.2g})",
+                     name_of(summary.ending), built.simulation.state().clock.step, reason, summary.wall_time,
                      audit_passed ? "passed" : "failed", largest_error(built, summary), input.audit.tolerance);
 }
 

@@ -13,6 +13,7 @@ namespace ligament {
 struct RunSummary {
   Ending ending;
   double wall_time = 0.0;  ///< of this process (s)
+  std::string reached;     ///< criterion of the case that ended it, in words; empty if none did
   std::string divergence;  ///< what happened, if it diverged
   std::optional<double> motion_error;
   std::optional<double> transfer_error;

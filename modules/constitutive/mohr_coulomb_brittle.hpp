@@ -5,7 +5,7 @@
 namespace ligament {
 
 /// A Mohr-Coulomb bond that loses all its strength at once. The elastic energy that its springs lose with it is its
-/// fracture energy, in the mode whose limit was exceeded by more. What is left is contact with friction.
+/// fracture energy, in the mode whose limit was reached. What is left is contact with friction.
 struct MohrCoulombBrittle : MohrCoulombStrength {
   enum Variable : std::size_t {
     damage_tension,
@@ -51,27 +51,47 @@ struct MohrCoulombBrittle : MohrCoulombStrength {
   }
 
  private:
-  void break_bond(const ContactInput& input, double normal, ShearVector shear, ContactForce& force,
-                  History& history) const {
-    const double friction = friction_coefficient * std::max(0.0, normal);
-    const double size = std::abs(shear);
-    const bool is_in_tension = -normal / (tensile_strength * input.area) > size / (cohesion * input.area + friction);
-    history[is_in_tension ? damage_tension : damage_shear] = 1.0;
-
-    const ContactForce now{std::max(0.0, normal), size > friction ? friction / size * shear : shear, BondState::broken};
-    // The slip of the shear spring works on the friction; the rest of the work, and what opening sets free, is
-    // fracture.
-    const double released = elastic_loss(force.normal, normal, now.normal, input.normal_stiffness) +
-                            elastic_loss(force.shear, shear, now.shear, input.shear_stiffness);
-    history[is_in_tension ? fracture_tension : fracture_shear] += released;
-    history[friction_work] += now.shear * (shear - now.shear) / input.shear_stiffness;
-    force = now;
+  /// Where forces that change in proportion from one state to another leave what the bond carries.
+  [[nodiscard]] ContactForce at_limit(double area, const ContactForce& from, double normal, ShearVector shear) const {
+    const auto at = [&](double share) {
+      return ContactForce{from.normal + share * (normal - from.normal), from.shear + share * (shear - from.shear),
+                          BondState::bonded};
+    };
+    double inside = 0.0;
+    double outside = 1.0;
+    for (int bit = 0; bit < 53; ++bit) {
+      const double middle = 0.5 * (inside + outside);
+      const ContactForce force = at(middle);
+      (carries(area, force.normal, force.shear) ? inside : outside) = middle;
+    }
+    return at(inside);
   }
 
-  /// Work of a force that falls from its trial value to another one beyond that other one. With the force of the step
-  /// before as the mean demands, so that the ledger closes: ½ (F(n-1) - F(n)) (F_trial - F(n)) / k.
-  static double elastic_loss(double before, double trial, double now, double stiffness) {
-    return std::max(0.0, 0.5 * (before - now) * (trial - now) / stiffness);
+  /// The break takes what the springs have stored at the limit, less what friction holds and its work: the energy does
+  /// not depend on the step in which the limit is passed.
+  void break_bond(const ContactInput& input, double normal, ShearVector shear, ContactForce& force,
+                  History& history) const {
+    const ContactForce limit = at_limit(input.area, force, normal, shear);
+    const double friction_at_limit = friction_coefficient * std::max(0.0, limit.normal);
+    const double size_at_limit = std::abs(limit.shear);
+    const bool is_in_tension =
+        -limit.normal / (tensile_strength * input.area) > size_at_limit / (cohesion * input.area + friction_at_limit);
+    history[is_in_tension ? damage_tension : damage_shear] = 1.0;
+
+    const double tension = std::min(0.0, limit.normal);
+    const double beyond_friction = std::max(0.0, size_at_limit - friction_at_limit);
+    history[is_in_tension ? fracture_tension : fracture_shear] +=
+        0.5 * tension * tension / input.normal_stiffness +
+        0.5 * beyond_friction * beyond_friction / input.shear_stiffness;
+
+    // From the limit on it slides, at first over what the shear spring gives up.
+    const double friction = friction_coefficient * std::max(0.0, normal);
+    const double size = std::abs(shear);
+    const double slid = std::max(0.0, size - friction) / input.shear_stiffness;
+    const double slid_at_limit = beyond_friction / input.shear_stiffness;
+    history[friction_work] +=
+        friction_at_limit * slid_at_limit + 0.5 * (friction_at_limit + friction) * std::max(0.0, slid - slid_at_limit);
+    force = {std::max(0.0, normal), size > friction ? friction / size * shear : shear, BondState::broken};
   }
 };
 

@@ -99,12 +99,13 @@ void visit_fields(Table& table, Visitor&& visit) {
 
 template <TableOf<StageState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
-  auto& [number, begin_step, begin_time, readings, peaks] = table;
+  auto& [number, begin_step, begin_time, readings, peaks, force_mismatch] = table;
   visit("number", number, FieldRole::physics);
   visit("begin_step", begin_step, FieldRole::physics);
   visit("begin_time", begin_time, FieldRole::physics);
   visit("readings", readings, FieldRole::sampled);
   visit("peaks", peaks, FieldRole::sampled);
+  visit("force_mismatch", force_mismatch, FieldRole::sampled);
 }
 
 template <TableOf<LoadingState> Table, class Visitor>

@@ -104,6 +104,8 @@ struct StageState {
   double begin_time = 0.0;      ///< t at which it began (s)
   Field<double> readings;       ///< of all gauges at the ends of the stages before, stage by stage
   Field<double> peaks;          ///< largest reading of every gauge so far
+  double force_mismatch =
+      0.0;  ///< largest so far in an increment: what external forces lacked, over their peak by then
 };
 
 /// How many bonds have broken since the start, also where nothing else tells of them any more: a broken contact whose

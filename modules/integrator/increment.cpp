@@ -43,6 +43,7 @@ Increment::Increment(const Model& model, State& state, const ForceEvaluation& ev
       evaluation_(evaluation),
       criterion_(criterion),
       freedoms_(freedoms),
+      observer_(evaluation.observer),
       free_(free_mask(model)) {
   state.particles.translation.increment.assign(model.particles.size(), Vector{});
   state.particles.rotation.increment.assign(model.particles.size(), 0.0);
@@ -87,6 +88,10 @@ void Increment::go_along(const std::vector<double>& motion, double end_time, dou
   move(part);
 }
 
+void Increment::show(double kinetic_energy) const {
+  if (observer_.every > 0 && n_evaluations_ % observer_.every == 0) observer_.look(n_evaluations_, kinetic_energy);
+}
+
 bool Increment::has_settled() {
   n_settled_ = is_in_equilibrium() ? n_settled_ + 1 : 0;
   return n_settled_ >= criterion_.settled_evaluations;
@@ -109,9 +114,9 @@ std::vector<double> Increment::applied_loads() {
 std::vector<double> Increment::prescribed_motion(double step) const {
   const FreedomNumbers numbers(model_);
   std::vector<double> motion(numbers.count(), 0.0);
-  const double middle = start_.time + 0.5 * step;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    motion[number_of(numbers, freedom)] = step * prescribed_velocity(freedom, state_.stage, middle);
+    const double velocity = prescribed_velocity(freedom, state_.stage, start_.time, start_.time + step);
+    motion[number_of(numbers, freedom)] = step * velocity;
   }
   return motion;
 }

@@ -8,12 +8,20 @@
 
 namespace ligament {
 
+/// Who looks on while an equilibrium is searched for.
+struct IncrementObserver {
+  std::int64_t every = 0;  ///< evaluations of the forces; never, if 0
+  /// Told the number of evaluations so far and the kinetic energy (J); the state is that of the evaluation.
+  std::function<void(std::int64_t, double)> look = {};
+};
+
 /// What the loading asks of the rest of the simulation, about the state as it is.
 struct ForceEvaluation {
   std::function<void()> add_forces;           ///< resultants of all bodies, contacts from their memory
   std::function<void()> add_applied_loads;    ///< resultants of the applied loads alone, in place of the others
   std::function<ForceMagnitudes()> internal;  ///< see ForceProvider::internal_forces()
   std::function<bool()> is_interrupted;       ///< whether to give up
+  IncrementObserver observer = {};
 };
 
 /// When the bodies are in equilibrium, and how long it is searched for.
@@ -42,6 +50,10 @@ class Increment {
   void move(const std::vector<double>& motion);
   /// Goes to a place on the straight line from the last equilibrium; `motion` is the whole way.
   void go_along(const std::vector<double>& motion, double end_time, double share);
+  /// Who looks on from here; at first the one of the evaluation.
+  void observe_by(const IncrementObserver& observer) { observer_ = observer; }
+  /// Lets them look, if it is time, at this kinetic energy (J).
+  void show(double kinetic_energy) const;
   /// Whether the bodies have been in equilibrium in this and the evaluations before, as many as it takes.
   [[nodiscard]] bool has_settled();
   /// Whether the search is to be given up.
@@ -85,6 +97,7 @@ class Increment {
   const ForceEvaluation& evaluation_;
   const EquilibriumCriterion& criterion_;
   const std::vector<PrescribedFreedom>& freedoms_;
+  IncrementObserver observer_;
   Start start_;
   std::vector<double> free_;
   std::vector<double> forces_;

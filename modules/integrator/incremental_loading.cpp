@@ -30,7 +30,9 @@ void IncrementalLoading::declare(Parameters& parameters) {
       .quantity("increment", increment_, "m", "displacement of the fastest [[motion]] from one equilibrium to the next")
       .greater_than(0.0)
       .required();
-  parameters.integer("load_steps", load_steps_, "increments of a stage in which loads rise and nothing is moved")
+  parameters
+      .integer("load_steps", load_steps_,
+               "increments from one corner of the loading to the next where nothing is moved: loads change, or hold")
       .at_least(1);
   criterion_.declare(parameters);
   parameters
@@ -41,10 +43,10 @@ void IncrementalLoading::declare(Parameters& parameters) {
   search_->declare(parameters);
 }
 
-void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends,
+void IncrementalLoading::set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<std::vector<double>> corners,
                                      double unbalanced_ratio) {
   freedoms_ = std::move(freedoms);
-  ends_ = std::move(ends);
+  corners_ = std::move(corners);
   criterion_.unbalanced_ratio = unbalanced_ratio;
 }
 
@@ -56,6 +58,7 @@ void IncrementalLoading::open_lines(EnergyLedger& ledger) {
 
 bool IncrementalLoading::advance(const Model& model, State& state, const ForceEvaluation& evaluation) {
   Increment increment(model, state, evaluation, criterion_, freedoms_);
+  const Segment segment = segment_at(state);
   const double wanted = wanted_step(state);
   // After a cut the way back to the wanted increment is taken in strides.
   double step = state.loading.step > 0.0 ? std::min(wanted, 2.0 * state.loading.step) : wanted;
@@ -63,6 +66,8 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
   for (;;) {
     if (search_->find(increment, step)) {
       accept(increment, step);
+      // Beyond a corner everything moves another way.
+      if (segment_at(state).begin != segment.begin) state.loading.direction.clear();
       return true;
     }
     increment.restore();
@@ -75,18 +80,37 @@ void IncrementalLoading::find_direction(Increment& increment, double wanted) {
   // A platen that starts at full increment would hit what it touches: most of its work would go to relaxation, and
   // contacts that bounce off have no work that a trapezoid could find.
   const double step = 1e-3 * wanted;
+  increment.observe_by({});
   if (search_->find(increment, step)) remember_direction(increment, step, increment.state().loading);
   increment.restore();
+  increment.observe_by(increment.evaluation().observer);
+}
+
+IncrementalLoading::Segment IncrementalLoading::segment_at(const State& state) const {
+  const std::vector<double>& corners = corners_[state.stage.number - 1];
+  const double time = state.clock.time - state.stage.begin_time;
+  // An increment ends at a corner to rounding.
+  constexpr double rounding = 1e-12;
+  Segment segment;
+  for (const double corner : corners) {
+    segment.begin = segment.end;
+    segment.end = corner;
+    if (time < (1.0 - rounding) * corner) return segment;
+  }
+  return {segment.end, segment.end};
 }
 
 double IncrementalLoading::wanted_step(const State& state) const {
-  const StageState& stage = state.stage;
-  const double end = ends_[stage.number - 1];
-  const double left = end - (state.clock.time - stage.begin_time);
-  double step = end / static_cast<double>(load_steps_);
+  const Segment segment = segment_at(state);
+  const double left = segment.end - (state.clock.time - state.stage.begin_time);
+  double step = (segment.end - segment.begin) / static_cast<double>(load_steps_);
   double fastest = 0.0;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, stage, state.clock.time + 1e-9 * left)));
+    // Velocities are linear between corners.
+    for (const double share : {1e-9, 1.0 - 1e-9}) {
+      const double time = state.clock.time + share * left;
+      fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, state.stage, time, time)));
+    }
   }
   if (fastest > 0.0) step = increment_ / fastest;
   // A remainder that rounding leaves is no increment of its own.

@@ -12,8 +12,10 @@ class IncrementalLoading : public EnergySource {
   explicit IncrementalLoading(std::unique_ptr<EquilibriumSearch> search) : search_(std::move(search)) {}
 
   void declare(Parameters& parameters);
-  /// Prescribed freedoms, the length of each stage of loading (s), and the unbalanced force ratio of an equilibrium.
-  void set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends, double unbalanced_ratio);
+  /// Prescribed freedoms; of each stage of loading the times (s, ascending) at which motions or loads change their
+  /// course, the end of the stage last; and the unbalanced force ratio of an equilibrium.
+  void set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<std::vector<double>> corners,
+                   double unbalanced_ratio);
   void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) {
     search_->use_stiffness(model, state, stiffness);
   }
@@ -30,18 +32,24 @@ class IncrementalLoading : public EnergySource {
  private:
   /// The motion of a stage that begins, from a small increment that is taken back.
   void find_direction(Increment& increment, double wanted);
+  /// The part of a stage between two corners of its loading that an increment belongs to (s).
+  struct Segment {
+    double begin = 0.0;
+    double end = 0.0;
+  };
+  [[nodiscard]] Segment segment_at(const State& state) const;
   [[nodiscard]] double wanted_step(const State& state) const;
   static void accept(Increment& increment, double step);
 
   // Parameters.
   double increment_ = 0.0;        ///< of the fastest prescribed motion (m)
-  std::int64_t load_steps_ = 50;  ///< increments of a stage without prescribed motion
+  std::int64_t load_steps_ = 50;  ///< increments of a segment in which nothing is moved
   EquilibriumCriterion criterion_;
   double smallest_share_ = 1e-3;  ///< of an increment that is cut, over the wanted one
 
   std::unique_ptr<EquilibriumSearch> search_;
   std::vector<PrescribedFreedom> freedoms_;
-  std::vector<double> ends_;
+  std::vector<std::vector<double>> corners_;
 };
 
 }  // namespace ligament

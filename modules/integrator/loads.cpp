@@ -1,6 +1,7 @@
 #include "integrator/loads.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "integrator/ledger_lines.hpp"
 
@@ -9,10 +10,13 @@ namespace {
 
 using ledger_lines::applied_loads;
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
 /// Share of the load that acts at time n.
 double share_at(const PointLoad& load, const State& state) {
-  if (state.stage.number != load.stage) return state.stage.number > load.stage ? 1.0 : 0.0;
-  const double time = state.clock.time - state.stage.begin_time;
+  if (state.stage.number < load.stage) return 0.0;
+  const double time = state.stage.number > load.stage ? infinite : state.clock.time - state.stage.begin_time;
+  if (!load.schedule.empty()) return load.schedule.value(time);
   return load.rise_time > 0.0 ? std::min(1.0, time / load.rise_time) : 1.0;
 }
 

@@ -1,11 +1,12 @@
 #pragma once
 
 #include "core/force_provider.hpp"
+#include "integrator/piecewise_linear.hpp"
 
 namespace ligament {
 
-/// A force on one body, risen linearly within `rise_time` (s) from the beginning of its stage, at once if that is 0; it
-/// stays on in all later stages.
+/// A force on one body, risen linearly within `rise_time` (s) from the beginning of its stage, at once if that is 0, or
+/// as its schedule says; what it has come to stays on in all later stages.
 struct PointLoad {
   enum class Body { node, particle };
   Body body = Body::node;
@@ -14,6 +15,8 @@ struct PointLoad {
   Moment moment = 0.0;     ///< particles only (N m)
   double rise_time = 0.0;  ///< (s)
   std::int64_t stage = 1;
+  /// Shares of the force, in place of the rise where there are any; times count from the beginning of the stage.
+  PiecewiseLinear schedule = {};
 };
 
 /// Forces that the case applies to nodes and particles.

@@ -38,6 +38,7 @@ bool MomentumRelaxation::find(Increment& increment, double step) {
     update_momenta(momenta, free_now, damping);
     motion = mass_->velocities(momenta);
     increment.move(motion);
+    increment.show(0.5 * product(motion, momenta));
     free_before = std::move(free_now);
     free_now = free_forces(increment.model(), increment.state());
     damping = adaptive_damping(motion, momenta, free_now, free_before, bounds_);

@@ -42,9 +42,11 @@ FreedomState state_of(const PrescribedFreedom& freedom, const State& state) {
 
 }  // namespace
 
-double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double time) {
+double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double begin, double end) {
   for (const StageVelocity& motion : freedom.motions) {
-    if (motion.stage == stage.number) return velocity_at(motion, time - stage.begin_time);
+    if (motion.stage != stage.number) continue;
+    if (motion.schedule.empty()) return velocity_at(motion, 0.5 * (begin + end) - stage.begin_time);
+    return motion.schedule.mean_slope(begin - stage.begin_time, end - stage.begin_time);
   }
   return 0.0;
 }
@@ -61,10 +63,9 @@ void PrescribedMotion::fix(Model& model) const {
 }
 
 void PrescribedMotion::apply(const Model& /*model*/, State& state) {
-  // The velocity of the step ahead belongs to its middle.
-  const double time = state.clock.time + 0.5 * state.clock.time_step;
+  const double time = state.clock.time;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    const double velocity = prescribed_velocity(freedom, state.stage, time);
+    const double velocity = prescribed_velocity(freedom, state.stage, time, time + state.clock.time_step);
     if (freedom.axis == dimension) {
       state.particles.rotation.spin[freedom.row] = velocity;
     } else {

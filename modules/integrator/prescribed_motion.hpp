@@ -1,15 +1,19 @@
 #pragma once
 
 #include "core/integrator.hpp"
+#include "integrator/piecewise_linear.hpp"
 
 namespace ligament {
 
-/// A velocity within one stage of loading; times count from the beginning of the stage.
+/// A motion within one stage of loading, by its velocity or by a schedule of displacements; times count from the
+/// beginning of the stage.
 struct StageVelocity {
   std::int64_t stage = 1;
   double velocity = 0.0;    ///< (m/s, rad/s)
   double rise_time = 0.0;   ///< within which the velocity rises linearly (s)
   double stop_time = -1.0;  ///< after which the body stands still (s); never if negative
+  /// Displacements since the beginning of the stage (m, rad), in place of all of these where there are any.
+  PiecewiseLinear schedule = {};
 };
 
 /// One freedom whose velocity is prescribed. It stands still in stages without a velocity: a support has none.
@@ -21,8 +25,9 @@ struct PrescribedFreedom {
   std::vector<StageVelocity> motions = {};
 };
 
-/// Its velocity at a time (m/s, rad/s).
-double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double time);
+/// Its velocity in a step from one time to another (m/s, rad/s): on a schedule the mean, so that every step ends where
+/// the schedule says; else that of the middle.
+double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double begin, double end);
 
 /// Supports and prescribed motions.
 class PrescribedMotion : public Constraint {

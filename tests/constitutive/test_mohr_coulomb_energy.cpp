@@ -172,6 +172,37 @@ TEST_CASE_TEMPLATE("what tension has stored and shear damage sets free counts as
   CHECK(bond.energies().fracture_shear - slipped == doctest::Approx(set_free).epsilon(1e-4));
 }
 
+TEST_CASE_TEMPLATE("pulled, unloaded, closed, pulled off, closed and pulled again: G_ft A in all, whatever the options",
+                   Law, SOFTENING_LAWS) {
+  for (const Law& law : variants<Law>()) {
+    DrivenBond<Law> bond(law);
+    // Opened a little further every time, and pressed in between.
+    for (const double opening : {1e-6, 4e-6, -1e-6, 9e-6, 2e-6, 1.3e-5, -2e-6, 5e-5}) bond.pull_to(opening, 7);
+    const ContactEnergies broken = bond.energies();
+    CHECK(broken.fracture_tension == doctest::Approx(tension_energy).epsilon(1e-10));
+    CHECK(broken.fracture_shear == 0.0);
+    for (const double opening : {-3e-6, 6e-5, -1e-6, 0.0}) bond.pull_to(opening, 7);
+    CHECK(bond.energies().fracture_tension == broken.fracture_tension);
+    CHECK(bond.energies().spent() == broken.spent());
+    CHECK(bond.energies().stored() == 0.0);
+  }
+}
+
+TEST_CASE_TEMPLATE("sheared to and fro under pressure until it fails, and on: G_fc A in all, whatever the options", Law,
+                   SOFTENING_LAWS) {
+  for (const Law& law : variants<Law>()) {
+    DrivenBond<Law> bond(law);
+    bond.pull_to(-2e-6);
+    for (const double slip : {2e-4, -1e-4, 5e-6, -5e-6, 3e-4, -2e-4}) bond.slip_by(slip, 7);
+    CHECK(bond.energies().fracture_shear == doctest::Approx(shear_energy).epsilon(1e-10));
+    CHECK(bond.energies().fracture_tension == 0.0);
+    const double friction = bond.energies().friction;
+    bond.slip_by(1e-4, 7);
+    CHECK(bond.energies().fracture_shear == doctest::Approx(shear_energy).epsilon(1e-10));
+    CHECK(bond.energies().friction > friction);
+  }
+}
+
 TEST_CASE("the bilinear bond does what a twin with tiny substeps does") {
   RandomNumbers random(43);
   double shear_error = 0.0;

@@ -55,6 +55,29 @@ TEST_CASE("a load rises within its stage and stays on in later ones") {
   CHECK(force_in_stage(3) == Vector{4.0, 2.0});
 }
 
+TEST_CASE("a load follows its schedule, and its last share stays on in later stages") {
+  const Model model = bodies();
+  AppliedLoads loads({{.body = PointLoad::Body::node,
+                       .row = 0,
+                       .force = {4.0, 2.0},
+                       .stage = 2,
+                       .schedule = {{0.0, 1.0, 2.0, 3.0}, {0.25, 1.0, 1.0, 0.5}}}});
+  State state = resting_state(model);
+  const auto force_at = [&](std::int64_t stage, double time) {
+    state.nodes.translation.force[0] = {};
+    state.stage = {.number = stage, .begin_time = 100.0};
+    state.clock.time = 100.0 + time;
+    loads.add_forces(model, state);
+    return state.nodes.translation.force[0];
+  };
+  CHECK(force_at(1, 1.0) == Vector{});
+  CHECK(force_at(2, 0.0) == Vector{1.0, 0.5});
+  CHECK(force_at(2, 1.5) == Vector{4.0, 2.0});
+  CHECK(force_at(2, 2.5) == Vector{3.0, 1.5});
+  CHECK(force_at(2, 9.0) == Vector{2.0, 1.0});
+  CHECK(force_at(3, 0.0) == Vector{2.0, 1.0});
+}
+
 TEST_CASE("the work of a load is booked by halves on either side of its time") {
   const Model model = bodies();
   AppliedLoads loads({{.body = PointLoad::Body::particle, .row = 1, .force = {0.0, 3.0}, .moment = 5.0}});

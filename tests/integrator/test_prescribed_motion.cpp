@@ -55,6 +55,20 @@ TEST_CASE("velocities rise, hold and stop and they are those of the middle of th
   CHECK(velocity_at(endless, 1e9, 0.5) == 3.0);
 }
 
+TEST_CASE("on a schedule every step ends where the schedule says, also across corners") {
+  const PiecewiseLinear schedule{{0.0, 1.0, 1.5, 4.0}, {0.0, 0.3, 0.3, -0.2}};
+  const PrescribedFreedom freedom{.body = Body::node, .row = 0, .axis = 0, .motions = {{.schedule = schedule}}};
+  CHECK(velocity_at(freedom, 0.25, 0.5) == 0.3);
+  CHECK(velocity_at(freedom, 1.0, 0.5) == 0.0);
+  CHECK(velocity_at(freedom, 2.0, 0.5) == -0.5 / 2.5);
+  CHECK(velocity_at(freedom, 4.0, 0.5) == 0.0);
+  double displacement = 0.0;
+  for (double time = 0.0; time < 5.0; time += 0.7) {
+    displacement += 0.7 * velocity_at(freedom, time, 0.7);
+    CHECK(displacement == doctest::Approx(schedule.value(time + 0.7)).epsilon(1e-13));
+  }
+}
+
 TEST_CASE("velocities belong to stages, and count their time from the beginning of theirs") {
   const Model model = bodies();
   State state = resting_state(model);

@@ -73,6 +73,7 @@ class ProgramTest(unittest.TestCase):
         """Content of all result files of a run, by name."""
         folder = self.folder / run
         tables = [folder / name for name in ("history.csv", "energy.csv", "cracks.csv")]
+        tables += folder.glob("transient.csv")
         files = [*tables, *sorted((folder / "fields").iterdir())]
         return {str(file.relative_to(folder)): file.read_bytes() for file in files}
 

@@ -55,7 +55,7 @@ class Kill(ProgramTest):
             self.folder.mkdir()
 
     def test_bonds_that_break_under_increments_of_loading(self):
-        self.kill_and_resume([TENSION, "--quiet", *EVERYTHING_AT_EVERY_STEP], DONE, n_kills=20, seed=20)
+        self.kill_and_resume([TENSION, "--quiet", *EVERYTHING_AT_EVERY_STEP, *settings(output__transient_every=10)], DONE, n_kills=20, seed=20)
 
     def test_contacts_that_come_and_go(self):
         options = [FALLING_BLOCK, "--quiet", *settings(solver__max_steps=600), *EVERYTHING_AT_EVERY_STEP]

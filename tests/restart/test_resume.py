@@ -6,6 +6,9 @@ import unittest
 from program import COLUMNS, CONFIG, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, TENSION, WRONG_INPUT, ProgramTest, settings
 
 CASES = [*COLUMNS, FALLING_BLOCK]
+# And keys of the bilinear law that they do not have.
+LAWS_OF_BONDS = (("mohr_coulomb_bilinear", ()), ("mohr_coulomb_exponential", ()),
+                 ("mohr_coulomb_brittle", ("fracture_energy",)))
 
 
 class Resume(ProgramTest):
@@ -68,6 +71,51 @@ class Resume(ProgramTest):
         self.assertEqual(self.summary("pieces")["peak_load_N"], self.summary("whole")["peak_load_N"])
         self.assert_same_results("pieces", "whole")
         self.assertGreater(self.summary("whole")["n_broken"], 0)
+
+    def tension_with(self, law, without=()):
+        """The specimen with another law of its bonds, pulled apart on a schedule that turns back on the way."""
+        text = TENSION.read_text().replace("mohr_coulomb_bilinear", law)
+        lines = [line for line in text.splitlines() if not line.startswith(without)]
+        text = "\n".join(lines) + "\n"
+        begin, end = text.index("[[motion]]"), text.index("[[gauge]]")
+        motion = '''[[motion]]
+name = "pull"
+walls = ["top"]
+direction = "y"
+schedule = { time = ["0 s", "1 s", "2 s", "3 s"], displacement = ["0 um", "10 um", "6 um", "46 um"] }
+
+'''
+        case = self.folder / f"{law}.toml"
+        case.write_text(text[:begin] + motion + text[end:])
+        return case
+
+    def test_every_law_of_bonds_survives_stops_and_threads_in_the_middle_of_cracking(self):
+        for law, without in LAWS_OF_BONDS:
+            with self.subTest(law=law):
+                run = [self.tension_with(law, without), "--quiet", *settings(output__transient_every=7)]
+                self.call("run", *run, "--output", f"{law}_whole")
+                self.assertGreater(self.summary(f"{law}_whole")["n_broken"], 0)
+                pieces = f"{law}_pieces"
+                self.call("run", *run, "--output", pieces, "--stop-after-steps", 9)
+                # Before, at and beyond the corners, and where bonds break.
+                for step, threads in ((10, 2), (11, 1), (14, 3), (15, 2), (35, 1)):
+                    self.call("resume", pieces, "--quiet", "--until-step", step, "--threads", threads)
+                self.call("resume", pieces, "--quiet", "--threads", 2)
+                self.assertEqual(self.final_hash(pieces), self.final_hash(f"{law}_whole"))
+                for name in ("force_mismatch_max", "energy_error", "results"):
+                    self.assertEqual(self.summary(pieces)[name], self.summary(f"{law}_whole")[name])
+                self.assert_same_results(pieces, f"{law}_whole")
+
+    def test_threads_that_share_the_bonds_of_an_increment_change_no_bit(self):
+        fine = settings(zone__specimen__smallest_radius='"0.8 mm"', zone__specimen__largest_radius='"1.2 mm"')
+        for law, without in LAWS_OF_BONDS:
+            with self.subTest(law=law):
+                run = [self.tension_with(law, without), "--quiet", *fine, *settings(solver__increment='"5 um"')]
+                self.call("run", *run, "--output", f"{law}_1", "--stop-after-steps", 3)
+                self.assertGreater(self.summary(f"{law}_1")["n_contacts"], 4096)
+                self.call("run", *run, "--output", f"{law}_2", "--stop-after-steps", 3, "--threads", 2)
+                self.assertEqual(self.final_hash(f"{law}_2"), self.final_hash(f"{law}_1"))
+                self.assert_same_results(f"{law}_2", f"{law}_1")
 
     def test_breaks_are_recorded_and_counted_once(self):
         # Contacts that break leave the list when they have opened by so little.

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "build/build_simulation.hpp"
@@ -19,7 +20,8 @@ constexpr double radius = 0.01;
 constexpr double strength = 2e6;
 constexpr double fracture_energy = 40.0;
 
-std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freedoms, std::vector<double> ends,
+std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freedoms,
+                                            std::vector<std::vector<double>> corners,
                                             const std::string& key = "increment", const ParameterValue& value = 1e-6) {
   auto result = loading_methods().create("quasi_static");
   Parameters parameters;
@@ -28,7 +30,7 @@ std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freed
     if (parameter.name == "increment") parameter.assign(1e-6);
     if (parameter.name == key) parameter.assign(value);
   }
-  result->set_loading(std::move(freedoms), std::move(ends), 1e-6);
+  result->set_loading(std::move(freedoms), std::move(corners), 1e-6);
   return result;
 }
 
@@ -60,11 +62,14 @@ struct Row {
     std::vector<PrescribedFreedom> freedoms = held_particle(0);
     for (const PrescribedFreedom& held : held_particle(static_cast<Index>(n_discs - 1))) freedoms.push_back(held);
     freedoms[3].motions = motions;
-    const std::vector<double> ends(motions.size(), 1.0);
+    std::vector<std::vector<double>> corners;
+    for (const StageVelocity& motion : motions) {
+      corners.push_back(motion.schedule.empty() ? std::vector<double>{1.0} : motion.schedule.times);
+    }
     PrescribedMotion constraint(freedoms);
     constraint.fix(model);
     Modules modules;
-    modules.loading = loading(freedoms, ends, key, value);
+    modules.loading = loading(freedoms, corners, key, value);
     modules.contact_detector = std::make_unique<GridContactDetector>(1e-3);
     modules.force_providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
     modules.constraints.push_back(std::make_unique<PrescribedMotion>(std::move(constraint)));
@@ -153,6 +158,57 @@ TEST_CASE("unloading and loading again within the elastic range comes back witho
   CHECK(row.state().clock.step == 10);
   CHECK(std::abs(row.pull()) < 1e-6 * pull);
   CHECK(std::abs(energy(row.simulation, "prescribed_motions")) < 1e-6 * pull * 5e-6);
+}
+
+TEST_CASE("no increment steps over a corner of a schedule, and a hold stays where it is") {
+  // Strides of 1 μm do not fit into any of the lines.
+  const PiecewiseLinear schedule{{0.0, 1.0, 2.0, 3.0, 4.0}, {0.0, 3.5e-6, 3.5e-6, -1.25e-6, 0.0}};
+  Row row(11, 0.0, {{.schedule = schedule}}, "load_steps", std::int64_t{2});
+  std::vector<double> times;
+  while (row.state().clock.time < 4.0 - 1e-9) {
+    REQUIRE(row.simulation.advance());
+    times.push_back(row.state().clock.time);
+    CHECK(row.extension() == doctest::Approx(schedule.value(times.back())).epsilon(1e-12).scale(1e-6));
+    CHECK(row.pull() == doctest::Approx(0.1 * row.stiffness() * row.extension()).epsilon(1e-6).scale(1.0));
+  }
+  CHECK(times.size() == 4 + 2 + 5 + 2);
+  for (const double corner : {1.0, 2.0, 3.0, 4.0}) {
+    CHECK(std::any_of(times.begin(), times.end(), [&](double time) { return std::abs(time - corner) < 1e-12; }));
+  }
+  CHECK(std::abs(energy(row.simulation, "prescribed_motions")) < 1e-6 * 0.5 * row.stiffness() * 3.5e-6 * 3.5e-6);
+}
+
+TEST_CASE("a bond that softens, unloads and is pulled again within one schedule spends G A once") {
+  const PiecewiseLinear schedule{{0.0, 1.0, 2.0, 3.0, 4.0}, {0.0, 20e-6, -1e-6, 120e-6, 118e-6}};
+  Row row(2, 0.0, {{.schedule = schedule}});
+  double spent = 0.0;
+  while (row.state().clock.time < 4.0 - 1e-9) {
+    REQUIRE(row.simulation.advance());
+    row.simulation.audit();
+    const double now = energy(row.simulation, "fracture_tension");
+    // Between the corners at 1 s and 3 s it spends only beyond where it has been.
+    if (row.state().clock.time > 1.0 + 1e-9 && row.extension() <= 20e-6) {
+      CHECK(now == doctest::Approx(spent).epsilon(1e-12));
+    }
+    spent = now;
+  }
+  CHECK(spent == doctest::Approx(fracture_energy * row.area()).epsilon(1e-10));
+  CHECK(row.state().ledger.largest_error < 1e-5);
+}
+
+TEST_CASE("the way to an equilibrium can be watched, and watching changes nothing") {
+  Row watched(11, 5e-6);
+  Row alone(11, 5e-6);
+  std::vector<std::int64_t> evaluations;
+  watched.simulation.observe_increments_by(2, [&](std::int64_t evaluation, double kinetic) {
+    evaluations.push_back(evaluation);
+    CHECK(kinetic >= 0.0);
+  });
+  REQUIRE(watched.simulation.advance());
+  REQUIRE(alone.simulation.advance());
+  CHECK(evaluations.size() == static_cast<std::size_t>(watched.state().loading.n_evaluations / 2));
+  for (std::size_t i = 0; i < evaluations.size(); ++i) CHECK(evaluations[i] == 2 * static_cast<std::int64_t>(i + 1));
+  CHECK(state_hash(watched.state()) == state_hash(alone.state()));
 }
 
 TEST_CASE("an elastic structure under loads in increments comes to the direct solution") {

@@ -97,6 +97,24 @@ TEST_CASE("prescribed velocities are kept to the step, rise, stop, and their wor
   CHECK(nodes.displacement[right[0]].x > 0.0);
 }
 
+TEST_CASE("a schedule is kept to rounding at every step, and the work of its cycles becomes energy") {
+  Model model = bar_model(20, 1.0);
+  const auto left = section(model, 0);
+  const PiecewiseLinear schedule{{0.0, 0.3, 0.5, 0.9, 1.3}, {0.0, 0.01, 0.01, -0.02, 0.0}};
+  SimulationChoice choice;
+  for (const Index node : left) {
+    choice.prescribed.push_back({.row = node, .axis = 0, .motions = {{.schedule = schedule}}});
+  }
+  Simulation simulation = make_simulation(std::move(model), std::move(choice));
+  while (simulation.state().clock.time < 2.0) {
+    simulation.step();
+    const double wanted = schedule.value(simulation.state().clock.time);
+    REQUIRE(std::abs(simulation.state().nodes.translation.displacement[left[0]].x - wanted) < 1e-15);
+    REQUIRE(simulation.audit() < 1e-12);
+  }
+  CHECK(simulation.state().ledger.total("prescribed_motions") > 0.0);
+}
+
 TEST_CASE("a prescribed spin turns a free disc, and its work is the energy of the rotation") {
   SimulationChoice choice;
   choice.prescribed = {

@@ -75,7 +75,8 @@ TEST_CASE("gauges") {
       "[[motion]]",
       "{ node = 4, direction = \"x\" }\n\n[solver]");
   check_edit("displacement = { node = 4, direction", "displacement = { direction",
-             "'displacement' needs one of 'node', 'particle', 'wall' and 'supports' in [[gauge]] 'u'", "{ direction");
+             "'displacement' needs one of 'node', 'particle', 'point', 'wall' and 'supports' in [[gauge]] 'u'",
+             "{ direction");
   check_edit(
       "displacement = { node = 4, direction = \"x\" }\n", "",
       "a gauge measures one thing: give 'displacement', 'reaction', 'opening', 'stress' or 'strain' in [[gauge]] 'u'",

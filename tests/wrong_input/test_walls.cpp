@@ -43,10 +43,10 @@ TEST_CASE("a motion of walls") {
   check_wall_edit("walls = [\"floor\"]", "walls = [\"flor\"]",
                   "there is no wall 'flor' in [[motion]] 'lift' (there are: 'floor'); did you mean 'floor'?",
                   "[\"flor\"]");
-  check_wall_edit("velocity = \"1 mm/s\"\n", "", "give either 'velocity' or 'displacement' in [[motion]] 'lift'",
-                  "[[motion]]");
+  check_wall_edit("velocity = \"1 mm/s\"\n", "",
+                  "give one of 'velocity', 'displacement' and 'schedule' in [[motion]] 'lift'", "[[motion]]");
   check_wall_edit("stop_time = \"10 s\"", "displacement = \"1 mm\"",
-                  "give either 'velocity' or 'displacement' in [[motion]] 'lift'", "[[motion]]");
+                  "give one of 'velocity', 'displacement' and 'schedule' in [[motion]] 'lift'", "[[motion]]");
   check_wall_edit("velocity = \"1 mm/s\"\nstop_time = \"10 s\"", "displacement = \"1 mm\"",
                   "'displacement' needs a 'stop_time' after the 'rise_time' in [[motion]] 'lift'", "\"1 mm\"");
 }

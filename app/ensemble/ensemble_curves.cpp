@@ -72,14 +72,6 @@ std::string table_of(const GroupCurves& group, const std::vector<BandPoint>& ban
   return text;
 }
 
-std::string title_of(const EnsembleRow& row) {
-  std::string title;
-  for (const SweptValue& value : row.values) {
-    title += fmt::format("{}{} = {}", title.empty() ? "" : ", ", value.column, value.cell);
-  }
-  return title.empty() ? "mean" : title;
-}
-
 }  // namespace
 
 bool write_ensemble_curves(const fs::path& folder, const std::vector<EnsembleRow>& rows) {
@@ -93,7 +85,7 @@ bool write_ensemble_curves(const fs::path& folder, const std::vector<EnsembleRow
     write_atomically(folder / table, table_of(curves, band));
     picture.abscissa = curves.abscissa;
     picture.load = curves.load;
-    picture.groups.push_back({title_of(group.front()), table, curves.tables});
+    picture.groups.push_back({name.empty() ? "mean" : name, table, curves.tables});
     picture.largest_x = std::max({picture.largest_x, std::abs(band.front().x), std::abs(band.back().x)});
     for (const BandPoint& point : band) {
       picture.largest_y = std::max({picture.largest_y, std::abs(point.y.min), std::abs(point.y.max)});

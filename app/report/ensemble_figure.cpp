@@ -10,7 +10,7 @@ Figure ensemble_figure(const EnsemblePicture& picture) {
   const Axis x = axis_of(picture.abscissa, {picture.largest_x});
   const Axis y = axis_of(picture.load, {picture.largest_y});
   const auto scaled = [&](const std::string& prefix) { return Axis{prefix + y.column, "", y.factor}.values(); };
-  const char* key = picture.groups.size() > 1 ? "set key outside right top Left reverse" : "set key top right";
+  const char* key = picture.groups.size() > 1 ? "set key below noenhanced" : "set key top right noenhanced";
   std::string script = fmt::format("{}set xlabel {}\nset ylabel {}\n{}\nplot ", curve_style, gnuplot_text(x.label),
                                    gnuplot_text(y.label), key);
   // The bands lie below, the means above all runs.
@@ -32,8 +32,7 @@ Figure ensemble_figure(const EnsemblePicture& picture) {
   }
   return {.name = "ensemble",
           .title = fmt::format("{} over {}", picture.load, picture.abscissa),
-          .script = script + bands + runs + means,
-          .width = picture.groups.size() > 1 ? 860 : 640};
+          .script = script + bands + runs + means};
 }
 
 }  // namespace ligament

@@ -44,27 +44,26 @@ void check_same(const fs::path& path, const EnsembleRequest& request) {
 
 }  // namespace
 
-EnsembleDirectory::EnsembleDirectory(const fs::path& path, const EnsembleRequest& request, bool overwrite)
-    : path_(path) {
-  const std::string plan = plan_text(request);
+EnsembleDirectory::EnsembleDirectory(const fs::path& path, const EnsembleRequest& request, bool overwrite) {
   try {
     check_room(path);
-    const auto lock = [&] {
-      fs::create_directories(path);
-      lock_.emplace(path, O_RDONLY | O_DIRECTORY);
-      if (lock_->try_lock()) return;
-      throw InputError(fmt::format("{}: another process is at work on this ensemble", path.string()));
-    };
-    lock();
+    lock(path);
     if (is_ensemble(path) && overwrite) {
       remove_ensemble(path);
-      lock();
+      lock(path);
     }
     if (is_ensemble(path)) check_same(path, request);
-    write_atomically(file(plan_file), plan);
+    write_atomically(path / plan_file, plan_text(request));
   } catch (const fs::filesystem_error& error) {
     throw FileError(fmt::format("{}: cannot make the folder: {}", path.string(), error.code().message()));
   }
+}
+
+void EnsembleDirectory::lock(const fs::path& path) {
+  fs::create_directories(path);
+  lock_.emplace(path, O_RDONLY | O_DIRECTORY);
+  if (lock_->try_lock()) return;
+  throw InputError(fmt::format("{}: another process is at work on this ensemble", path.string()));
 }
 
 }  // namespace ligament

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
 #include "ensemble/plan.hpp"
 #include "io/file_descriptor.hpp"
@@ -19,11 +18,9 @@ class EnsembleDirectory {
   /// is there; FileError if the folder cannot be made.
   EnsembleDirectory(const std::filesystem::path& path, const EnsembleRequest& request, bool overwrite);
 
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
-
  private:
-  std::filesystem::path path_;
+  void lock(const std::filesystem::path& path);
+
   std::optional<FileDescriptor> lock_;
 };
 

@@ -78,7 +78,7 @@ TEST_CASE("an ensemble over seeds and values: its runs, tables, mean curves and 
           "all: holds an ensemble of another case: --set was output.fields_every=1000, now output.fields_every=1000, "
           "solver.max_steps=299; choose another folder with --output, or --overwrite it\n");
     const Finished over = place.run(
-        {"ensemble", specimen, "--seeds", "5", "--set", "solver.max_steps=5", "--output", "all", "--overwrite"});
+        {"ensemble", specimen, "--seeds", "5", "--set", "solver.increment=4 um", "--output", "all", "--overwrite"});
     CHECK(over.code == 0);
     CHECK_FALSE(std::filesystem::exists(place / "all/solver.increment=2_um"));
     CHECK(std::distance(std::filesystem::directory_iterator(place / "checkpoints"), {}) == 1);
@@ -90,15 +90,15 @@ TEST_CASE("runs that fail are told, and the others go on") {
   const std::vector<std::string> arguments{"ensemble", specimen,
                                            "--seeds",  "1",
                                            "--output", "all",
-                                           "--sweep",  "solver.max_steps=5,6",
+                                           "--sweep",  "solver.increment=4 um,5 um",
                                            "--sweep",  "audit.tolerance=1e-30,1"};
   const Finished finished = place.run(arguments);
   CHECK(finished.code == 3);
   CHECK(contains(finished.out,
-                 "solver.max_steps=5/audit.tolerance=1e-30/seed_1: completed at step 5, energy audit failed "
+                 "solver.increment=4_um/audit.tolerance=1e-30/seed_1: converged at step 15, energy audit failed "
                  "(exit code 3)\n"));
   CHECK(contains(finished.out,
-                 "solver.max_steps=6/audit.tolerance=1/seed_1: completed at step 6, energy audit passed\n"));
+                 "solver.increment=5_um/audit.tolerance=1/seed_1: converged at step 11, energy audit passed\n"));
   const auto json = nlohmann::json::parse(content_of(place / "all/ensemble.json"));
   CHECK(json.at("n_done") == 2);
   // What has come to an end of its own would only end the same again.
@@ -109,7 +109,7 @@ TEST_CASE("runs that fail are told, and the others go on") {
 
 TEST_CASE("a run that cannot even begin is told with its message") {
   const Workplace place;
-  // Too dense: known only when the assembly is made.
+  // Bonds that would snap back: known only when the assembly is made.
   const Finished finished = place.run({"ensemble", specimen, "--seeds", "1", "--output", "all", "--sweep",
                                        "material.concrete.fracture_energy_tension=1e-3 N/m,20 N/m"});
   CHECK(finished.code == 2);

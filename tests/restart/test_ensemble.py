@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Ensembles that are stopped or killed on the way go on, with the same call, to the same bytes."""
 
+import os
 import signal
 import time
 import unittest
@@ -8,8 +9,8 @@ from pathlib import Path
 
 from program import DONE, INTERRUPTED, TENSION, TERMINATED, ProgramTest, settings
 
-ASKED = ["ensemble", TENSION, "--seeds", "1:4", *settings(solver__increment="0.2 um", checkpoint__every=5)]
-RUNS = [f"seed_{seed}" for seed in range(1, 5)]
+ASKED = ["ensemble", TENSION, "--seeds", "1:3", *settings(solver__increment="0.3 um", checkpoint__every=5)]
+RUNS = [f"seed_{seed}" for seed in range(1, 4)]
 
 
 class Ensembles(ProgramTest):
@@ -66,6 +67,17 @@ class Ensembles(ProgramTest):
 
     def test_terminate(self):
         self.stop(signal.SIGTERM, TERMINATED)
+        self.go_on()
+        self.assert_as_undisturbed()
+
+    def test_kill_of_one_run(self):
+        process = self.start_and_wait_for_steps()
+        runs = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        os.kill(int(runs[0]), signal.SIGKILL)
+        out, err = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 128 + signal.SIGKILL, out + err)
+        self.assertEqual(out.count("unfinished (exit code 137)"), 1, out)
+        self.assertEqual(out.count(": converged at step"), len(RUNS) - 1, out)
         self.go_on()
         self.assert_as_undisturbed()
 

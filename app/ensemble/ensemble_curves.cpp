@@ -86,9 +86,9 @@ bool write_ensemble_curves(const fs::path& folder, const std::vector<EnsembleRow
     picture.abscissa = curves.abscissa;
     picture.load = curves.load;
     picture.groups.push_back({name.empty() ? "mean" : name, table, curves.tables});
-    picture.largest_x = std::max({picture.largest_x, std::abs(band.front().x), std::abs(band.back().x)});
+    picture.largest_x = std::max({picture.largest_x, std::abs(band.front().abscissa), std::abs(band.back().abscissa)});
     for (const BandPoint& point : band) {
-      picture.largest_y = std::max({picture.largest_y, std::abs(point.y.min), std::abs(point.y.max)});
+      picture.largest_y = std::max({picture.largest_y, std::abs(point.ordinate.min), std::abs(point.ordinate.max)});
     }
   }
   if (picture.groups.empty()) return false;

@@ -7,31 +7,32 @@ namespace ligament {
 Curve forward_part(std::span<const double> x, std::span<const double> y) {
   Curve curve;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!curve.x.empty() && x[i] <= curve.x.back()) continue;
-    curve.x.push_back(x[i]);
-    curve.y.push_back(y[i]);
+    if (!curve.abscissa.empty() && x[i] <= curve.abscissa.back()) continue;
+    curve.abscissa.push_back(x[i]);
+    curve.ordinate.push_back(y[i]);
   }
   return curve;
 }
 
 double value_at(const Curve& curve, double x) {
-  const auto above = std::upper_bound(curve.x.begin(), curve.x.end(), x);
-  if (above == curve.x.begin()) return curve.y.front();
-  if (above == curve.x.end()) return curve.y.back();
-  const auto high = static_cast<std::size_t>(above - curve.x.begin());
+  const auto above = std::upper_bound(curve.abscissa.begin(), curve.abscissa.end(), x);
+  if (above == curve.abscissa.begin()) return curve.ordinate.front();
+  if (above == curve.abscissa.end()) return curve.ordinate.back();
+  const auto high = static_cast<std::size_t>(above - curve.abscissa.begin());
   const std::size_t low = high - 1;
-  const double share = (x - curve.x[low]) / (curve.x[high] - curve.x[low]);
-  return curve.y[low] + share * (curve.y[high] - curve.y[low]);
+  const double share = (x - curve.abscissa[low]) / (curve.abscissa[high] - curve.abscissa[low]);
+  return curve.ordinate[low] + share * (curve.ordinate[high] - curve.ordinate[low]);
 }
 
 std::vector<BandPoint> band_of(std::span<const Curve> curves, std::size_t n_points) {
-  const bool has_empty = std::any_of(curves.begin(), curves.end(), [](const Curve& curve) { return curve.x.empty(); });
+  const bool has_empty =
+      std::any_of(curves.begin(), curves.end(), [](const Curve& curve) { return curve.abscissa.empty(); });
   if (curves.empty() || has_empty) return {};
-  double begin = curves.front().x.front();
-  double end = curves.front().x.back();
+  double begin = curves.front().abscissa.front();
+  double end = curves.front().abscissa.back();
   for (const Curve& curve : curves) {
-    begin = std::max(begin, curve.x.front());
-    end = std::min(end, curve.x.back());
+    begin = std::max(begin, curve.abscissa.front());
+    end = std::min(end, curve.abscissa.back());
   }
   if (!(begin < end)) return {};
   std::vector<BandPoint> band;

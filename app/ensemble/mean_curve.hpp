@@ -9,8 +9,8 @@ namespace ligament {
 
 /// An ordinate over an abscissa that ascends strictly.
 struct Curve {
-  std::vector<double> x;
-  std::vector<double> y;
+  std::vector<double> abscissa;
+  std::vector<double> ordinate;
 };
 
 /// The points at which x is larger than at all points before: the way forward, without what is unloaded or snaps back.
@@ -21,8 +21,8 @@ double value_at(const Curve& curve, double x);
 
 /// The curves together, at one abscissa.
 struct BandPoint {
-  double x = 0.0;
-  Statistics y;
+  double abscissa = 0.0;
+  Statistics ordinate;
 };
 
 /// Statistics of the curves at `n_points` equal steps over the range that all of them share; nothing if there is none.

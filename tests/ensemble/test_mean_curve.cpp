@@ -13,8 +13,8 @@ TEST_CASE("the way forward leaves out unloading, snap-back and standstill") {
   const Values x{0.0, 1.0, 0.5, 0.8, 1.0, 2.0, 2.0, 3.0};
   const Values y{0.0, 10.0, 5.0, 6.0, 9.0, 12.0, 4.0, 2.0};
   const Curve curve = forward_part(x, y);
-  CHECK(curve.x == Values{0.0, 1.0, 2.0, 3.0});
-  CHECK(curve.y == Values{0.0, 10.0, 12.0, 2.0});
+  CHECK(curve.abscissa == Values{0.0, 1.0, 2.0, 3.0});
+  CHECK(curve.ordinate == Values{0.0, 10.0, 12.0, 2.0});
 }
 
 TEST_CASE("values between the points are on straight lines") {
@@ -34,12 +34,12 @@ TEST_CASE("mean and band over the range that all curves share, by hand") {
   REQUIRE(band.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) {
     const double x = 1.0 + static_cast<double>(i);
-    CHECK(band[i].x == x);
-    CHECK(band[i].y.n == 2);
-    CHECK(band[i].y.mean == 3.0 * x);
-    CHECK(band[i].y.min == 2.0 * x);
-    CHECK(band[i].y.max == 4.0 * x);
-    CHECK(band[i].y.standard_deviation == doctest::Approx(std::sqrt(2.0) * x));
+    CHECK(band[i].abscissa == x);
+    CHECK(band[i].ordinate.n == 2);
+    CHECK(band[i].ordinate.mean == 3.0 * x);
+    CHECK(band[i].ordinate.min == 2.0 * x);
+    CHECK(band[i].ordinate.max == 4.0 * x);
+    CHECK(band[i].ordinate.standard_deviation == doctest::Approx(std::sqrt(2.0) * x));
   }
 }
 

@@ -16,6 +16,7 @@ class LoadedAssembly : public Generator {
       : files_(std::move(files)), zone_(std::move(zone)) {}
 
   void declare(Parameters& parameters) override;
+  [[nodiscard]] bool depends_on_seed() const override { return false; }
   /// Throws InputError if the file cannot be read, or holds what is no disc of the region.
   [[nodiscard]] Packing generate(const Rectangle& region, std::uint64_t seed) const override;
   [[nodiscard]] double default_detection_gap() const override { return 0.0; }

@@ -4,6 +4,7 @@
 
 #include "build/build_simulation.hpp"
 #include "commands/commands.hpp"
+#include "commands/common_options.hpp"
 #include "run/run_report.hpp"
 
 namespace ligament {
@@ -31,10 +32,7 @@ void add_check_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command = app.add_subcommand("check", "build everything, run nothing");
   command->add_option("case", options->case_path, "case file (TOML)")->required()->type_name("FILE");
-  command->add_option("--set", options->overrides, "key=value instead of what the case says; repeatable")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
+  add_set_option(*command, options->overrides);
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }
 

@@ -58,6 +58,7 @@ int run_command_line(int argc, char** argv) {
   add_compare_command(app, action);
   add_audit_command(app, action);
   add_report_command(app, action);
+  add_ensemble_command(app, action);
   add_info_command(app, action);
   add_documentation_commands(app, action);
   if (const std::string complaint = complaint_about_command(app, argc > 1 ? argv[1] : ""); !complaint.empty()) {

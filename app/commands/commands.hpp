@@ -18,6 +18,7 @@ void add_generate_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_audit_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
+void add_ensemble_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_documentation_commands(CLI::App& app, Action& action);
 

@@ -6,6 +6,7 @@
 #include "build/check_case.hpp"
 #include "build/generate_packings.hpp"
 #include "commands/commands.hpp"
+#include "commands/common_options.hpp"
 #include "io/assembly_file.hpp"
 #include "version.hpp"
 
@@ -89,10 +90,7 @@ void add_generate_command(CLI::App& app, Action& action) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--overwrite", options->overwrite, "replace the file");
-  command->add_option("--set", options->overrides, "key=value instead of what the case says; repeatable")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
+  add_set_option(*command, options->overrides);
   command->callback([options, &action] { action = [options] { return generate(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "commands/commands.hpp"
+#include "commands/common_options.hpp"
 #include "core/parallel.hpp"
 #include "run/run_report.hpp"
 #include "run/runner.hpp"
@@ -96,11 +97,6 @@ ExitCode resume(const ResumeOptions& options) {
 
 CLI::Range steps_range() { return CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()); }
 
-void add_threads_option(CLI::App& command, int& n_threads) {
-  command.add_option("--threads", n_threads, "number of threads; the results do not depend on it; default 1")
-      ->check(CLI::Range(1, 1024));
-}
-
 }  // namespace
 
 void add_run_command(CLI::App& app, Action& action) {
@@ -110,10 +106,7 @@ void add_run_command(CLI::App& app, Action& action) {
   command->add_option("--output", options->output, "run directory; default results/<case>")->type_name("DIR");
   command->add_flag("--overwrite", options->overwrite, "replace the run that is in the run directory");
   command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
-  command->add_option("--set", options->overrides, "key=value instead of what the case says; repeatable")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
+  add_set_option(*command, options->overrides);
   command->add_option("--stop-after-steps", options->stop_after_steps, "stop at this step, with a checkpoint")
       ->check(steps_range());
   add_threads_option(*command, options->n_threads);

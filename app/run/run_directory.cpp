@@ -81,14 +81,9 @@ class PartFolder {
       return rename_to(final_path);
     }
     RunDirectory earlier = RunDirectory::open(final_path);
-    earlier.lock();
-    const fs::path aside = part_of(final_path, earlier.run_id());
-    fs::rename(final_path, aside);
+    earlier.set_aside();
     rename_to(final_path);
-    // Whatever run.json says, only a folder that bears the run's id is the run's own.
-    const fs::path& checkpoints = earlier.checkpoint_folder();
-    if (checkpoints.filename().string().ends_with("-" + earlier.run_id())) fs::remove_all(checkpoints);
-    fs::remove_all(aside);
+    earlier.remove();
   }
 
  private:
@@ -172,6 +167,19 @@ RunDirectory RunDirectory::open(const fs::path& path) {
     throw FileError(fmt::format("{}: is damaged: {}", identity_path.string(), error.what()));
   }
   return run;
+}
+
+void RunDirectory::set_aside() {
+  lock();
+  const fs::path aside = part_of(path_, run_id_);
+  fs::rename(path_, aside);
+  path_ = aside;
+}
+
+void RunDirectory::remove() {
+  // Whatever run.json says, only a folder that bears the run's id is the run's own.
+  if (checkpoint_folder_.filename().string().ends_with("-" + run_id_)) fs::remove_all(checkpoint_folder_);
+  fs::remove_all(path_);
 }
 
 void RunDirectory::lock() {

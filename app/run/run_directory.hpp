@@ -25,6 +25,11 @@ class RunDirectory {
   /// Keeps other processes from working on the run while this object lives. Throws InputError if one does already.
   void lock();
 
+  /// Locks the run and gives its folder a name that is no run's, so that another may take its place at once.
+  void set_aside();
+  /// Removes what was set aside, with its checkpoints.
+  void remove();
+
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
   [[nodiscard]] const std::string& run_id() const { return run_id_; }

@@ -36,6 +36,9 @@ class Generator {
   /// Its parameters, read from the table of the zone that names it.
   virtual void declare(Parameters& parameters) = 0;
 
+  /// Whether another seed gives another packing.
+  [[nodiscard]] virtual bool depends_on_seed() const { return true; }
+
   /// Throws InputError if the region cannot be filled as asked.
   [[nodiscard]] virtual Packing generate(const Rectangle& region, std::uint64_t seed) const = 0;
 

@@ -11,6 +11,7 @@ class Hexagonal : public Generator {
   enum class Lines { shorter_side, x, y };
 
   void declare(Parameters& parameters) override;
+  [[nodiscard]] bool depends_on_seed() const override { return false; }
   [[nodiscard]] Packing generate(const Rectangle& region, std::uint64_t seed) const override;
   [[nodiscard]] double default_detection_gap() const override { return 1e-6; }
   /// The ends of the short lines, half a pitch behind those of the long ones, are to be linked too.

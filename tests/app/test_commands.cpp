@@ -11,8 +11,8 @@ using namespace ligament::test;
 namespace {
 
 const std::string config = LIGAMENT_SOURCE_DIR "/config/";
-const std::vector<std::string> commands{"run",  "resume", "check",   "compare", "audit",    "report",
-                                        "info", "laws",   "explain", "schema",  "reference"};
+const std::vector<std::string> commands{"run",      "resume", "check", "compare", "audit",  "report",
+                                        "ensemble", "info",   "laws",  "explain", "schema", "reference"};
 
 }  // namespace
 

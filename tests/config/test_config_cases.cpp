@@ -35,6 +35,25 @@ nlohmann::json summary_of(const Workplace& place) {
   return nlohmann::json::parse(content_of(place / "run/summary.json"));
 }
 
+/// What makes a case short enough for a test.
+std::vector<std::string> short_form(const fs::path& path) {
+  if (path.stem() != "petersson_beam_particles") return {};
+  // A grading four times as coarse has a sixteenth of the particles.
+  return {"--set", R"(zone.beam.sieves=["0 mm", "4 mm", "8 mm", "16 mm", "32 mm", "48 mm"])",
+          "--set", R"(zone.beam.threshold_diameter="8 mm")",
+          "--set", R"(zone.beam.void_diameter="8 mm")",
+          "--set", R"(zone.beam.smallest_void_radius="0.76 mm")"};
+}
+
+/// The program with this case in its short form.
+Finished call(const Workplace& place, const std::string& command, const fs::path& path,
+              std::vector<std::string> options = {}) {
+  const std::vector<std::string> shorter = short_form(path);
+  options.insert(options.begin(), {command, path.string()});
+  options.insert(options.end(), shorter.begin(), shorter.end());
+  return place.run(options);
+}
+
 /// The names that other people's scripts read.
 void check_names(const nlohmann::json& summary) {
   for (const char* name : {"version", "case", "case_hash", "ended", "steps", "wall_time_s", "threads", "n_particles",
@@ -50,11 +69,11 @@ TEST_CASE("every case is right and takes its first 200 steps with all audits on"
   for (const fs::path& path : cases()) {
     CAPTURE(path);
     const Workplace place;
-    const Finished check = place.run({"check", path});
+    const Finished check = call(place, "check", path);
     CHECK(check.code == 0);
     CHECK(contains(check.out, "OK: 0 errors, 0 warnings"));
     const Finished run =
-        place.run({"run", path, "--output", "run", "--stop-after-steps", "200", "--set", "audit.every_step=true"});
+        call(place, "run", path, {"--output", "run", "--stop-after-steps", "200", "--set", "audit.every_step=true"});
     CHECK(run.code == 0);
     CHECK(run.err.empty());
     const auto summary = summary_of(place);

@@ -1,0 +1,17 @@
+#include "commands/common_options.hpp"
+
+namespace ligament {
+
+void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {
+  command.add_option("--set", overrides, "key=value instead of what the case says; repeatable")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
+void add_threads_option(CLI::App& command, int& n_threads) {
+  command.add_option("--threads", n_threads, "number of threads; the results do not depend on it; default 1")
+      ->check(CLI::Range(1, 1024));
+}
+
+}  // namespace ligament

@@ -210,6 +210,10 @@ void OutputTable::declare(Parameters& parameters) {
       .integer("fields_every", fields_every,
                "steps between two field outputs; without it only the first and the last state are written")
       .at_least(1);
+  parameters.choice("on_failed_write", on_failed_write,
+                    {{"go_on", OnFailedWrite::go_on}, {"stop", OnFailedWrite::stop}},
+                    "what is done when results or a checkpoint cannot be written: 'go_on': warn, keep the results in "
+                    "memory and try again with the next ones; 'stop': end the run (exit 5)");
 }
 
 void CheckpointTable::declare(Parameters& parameters) {

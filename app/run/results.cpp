@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/error.hpp"
+
 namespace ligament {
 namespace {
 
@@ -38,7 +40,7 @@ Results::Results(const RunDirectory& directory, const BuiltSimulation& built, st
   fields_.resume(resumed_step);
 }
 
-HistoryRow Results::write_row(BuiltSimulation& built) {
+HistoryRow Results::add_row(BuiltSimulation& built) {
   Simulation& simulation = built.simulation;
   const Clock& clock = simulation.state().clock;
   HistoryRow row{.step = clock.step, .time = clock.time};
@@ -63,10 +65,31 @@ HistoryRow Results::write_row(BuiltSimulation& built) {
   return row;
 }
 
+void Results::flush() {
+  std::optional<FileError> first_error;
+  const auto try_to = [&](auto& file) {
+    try {
+      file.flush();
+    } catch (const FileError& error) {
+      if (!first_error) first_error = error;
+    }
+  };
+  try_to(history_);
+  try_to(energy_);
+  try_to(cracks_.table());
+  try_to(fields_);
+  if (first_error) throw FileError(*first_error);
+}
+
 void Results::sync() {
+  flush();
   history_.sync();
   energy_.sync();
-  cracks_.sync();
+  cracks_.table().sync();
+}
+
+std::size_t Results::n_waiting() const {
+  return history_.n_waiting() + energy_.n_waiting() + cracks_.table().n_waiting() + fields_.n_waiting();
 }
 
 }  // namespace ligament

@@ -39,6 +39,10 @@ ExitCode exit_code_of(Ending ending) {
   }
 }
 
+/// choice: results that wait for room may take this much memory; a run that stops then loses nothing, since it goes on
+/// from its last checkpoint.
+constexpr std::size_t most_waiting_bytes = std::size_t{256} << 20;
+
 /// The run is at an end of its own; it was not merely stopped.
 bool is_final(Ending ending) {
   return ending == Ending::converged || ending == Ending::completed || ending == Ending::not_converged;
@@ -61,10 +65,11 @@ Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& di
 ExitCode Runner::start() {
   results_.emplace(directory_, built_);
   table_.show_header();
-  table_.show(results_->write_row(built_));
-  results_->write_fields(built_.simulation);
+  table_.show(results_->add_row(built_));
+  results_->add_fields(built_.simulation);
   try {
-    save_checkpoint(false);
+    // A run that cannot save its start is not begun: whoever started it is still there.
+    save_state();
   } catch (const DivergenceError& error) {
     divergence_ = error.what();
     return finish(Ending::diverged);
@@ -191,26 +196,29 @@ std::optional<Ending> Runner::requested_ending() {
 Ending Runner::end_at_last_equilibrium() {
   const Ending ending = requested_ending().value_or(Ending::not_converged);
   // Its row and fields have been written if they were due.
-  if (is_final(ending) && !is_due(input_.output.every)) table_.show(results_->write_row(built_));
+  if (is_final(ending) && !is_due(input_.output.every)) table_.show(results_->add_row(built_));
   const bool has_fields = input_.output.fields_every && is_due(*input_.output.fields_every);
-  if (is_final(ending) && !has_fields) results_->write_fields(built_.simulation);
+  if (is_final(ending) && !has_fields) results_->add_fields(built_.simulation);
   save_checkpoint(true);
   return ending;
 }
 
 void Runner::handle_boundary(std::optional<Ending> ending) {
   const bool is_end = stage_is_complete_ || (ending && is_final(*ending));
-  if (is_due(input_.output.every) || is_end) {
+  const bool row_is_due = is_due(input_.output.every) || is_end;
+  if (row_is_due) {
     check_finite();
-    table_.show(results_->write_row(built_));
+    table_.show(results_->add_row(built_));
   }
-  const bool fields_are_due = input_.output.fields_every && is_due(*input_.output.fields_every);
-  if (fields_are_due || is_end) results_->write_fields(built_.simulation);
+  const bool fields_are_due = is_end || (input_.output.fields_every && is_due(*input_.output.fields_every));
+  if (fields_are_due) results_->add_fields(built_.simulation);
   if (stage_is_complete_) finish_stage();
   // Last, so that it stands for everything this boundary has written.
   if (is_due(input_.checkpoint.every) || ending || wants_checkpoint_) {
     save_checkpoint(ending.has_value() || wants_checkpoint_);
     wants_checkpoint_ = false;
+  } else if (row_is_due || fields_are_due) {
+    write_results();
   }
   table_.show_progress(step());
 }
@@ -222,16 +230,43 @@ void Runner::finish_stage() {
   stage_is_complete_ = false;
 }
 
-void Runner::save_checkpoint(bool is_asked_for) {
-  check_finite();
+bool Runner::write_results() {
   try {
-    results_->sync();
-    last_checkpoint_ = checkpoints_.save(built_.simulation.state()).string();
-    checkpoint_step_ = step();
+    results_->flush();
+    if (!failed_write_.empty()) console_.line(fmt::format("step {}: the results that waited are written", step()));
+    failed_write_.clear();
+  } catch (const FileError& error) {
+    failed_write_ = error.what();
+    go_on_without_write("results wait in memory for the next try", failed_write_);
+  }
+  return failed_write_.empty();
+}
+
+void Runner::go_on_without_write(const std::string& consequence, const std::string& reason) {
+  const bool has_room = results_->n_waiting() <= most_waiting_bytes;
+  if (input_.output.on_failed_write == OnFailedWrite::go_on && has_room) {
+    return console_.warning(fmt::format("step {}: {}: {}", step(), consequence, reason));
+  }
+  const char* const why = has_room ? "" : "; too many results wait in memory";
+  throw FileError(fmt::format("step {}: {}{}; last good checkpoint: {}", step(), reason, why, last_checkpoint_));
+}
+
+void Runner::save_state() {
+  check_finite();
+  // A checkpoint stands for all results up to its step.
+  results_->sync();
+  last_checkpoint_ = checkpoints_.save(built_.simulation.state()).string();
+  checkpoint_step_ = step();
+}
+
+void Runner::save_checkpoint(bool is_asked_for) {
+  if (!write_results()) return;
+  try {
+    save_state();
     if (is_asked_for) console_.line(fmt::format("checkpoint: {}", last_checkpoint_));
   } catch (const FileError& error) {
     // The run is worth more than one checkpoint: the next one may find room again.
-    console_.warning(fmt::format("step {}: no checkpoint written: {}", step(), error.what()));
+    go_on_without_write("no checkpoint written", error.what());
   }
 }
 
@@ -244,6 +279,13 @@ void Runner::check_finite() {
 }
 
 ExitCode Runner::finish(Ending ending) {
+  if (ending == Ending::diverged) {
+    write_results();
+  } else if (!failed_write_.empty()) {
+    throw FileError(
+        fmt::format("step {}: the run is at its end, and results could not be written: {}; last good checkpoint: {}",
+                    step(), failed_write_, last_checkpoint_));
+  }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   RunSummary summary{.ending = ending, .wall_time = seconds, .divergence = divergence_};
   if (step_audit_) {

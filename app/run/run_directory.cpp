@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* identity_file = "run.json";
+/// What resumes have changed. run.json itself stays as it is: it is what processes lock.
+constexpr const char* changes_file = "changes.json";
 
 std::string new_run_id() {
   std::random_device device;
@@ -164,7 +166,9 @@ RunDirectory RunDirectory::open(const fs::path& path) {
     const auto identity = nlohmann::json::parse(read_file(identity_path));
     run.run_id_ = identity.at("run_id").get<std::string>();
     run.case_name_ = identity.at("case").get<std::string>();
-    run.overrides_ = identity.at("overrides").get<std::vector<std::string>>();
+    const fs::path changes = run.file(changes_file);
+    const auto& latest = fs::exists(changes) ? nlohmann::json::parse(read_file(changes)) : identity;
+    run.overrides_ = latest.at("overrides").get<std::vector<std::string>>();
     run.checkpoint_folder_ = identity.at("checkpoints").get<std::string>();
     const auto inputs = identity.value("inputs", nlohmann::json::object());
     for (const auto& [name, copy] : inputs.items()) run.copies_[name] = run.file(copy);
@@ -172,6 +176,12 @@ RunDirectory RunDirectory::open(const fs::path& path) {
     throw FileError(fmt::format("{}: is damaged: {}", identity_path.string(), error.what()));
   }
   return run;
+}
+
+void RunDirectory::change_overrides(const std::vector<std::string>& overrides, const Case& input) {
+  write_atomically(file("case_resolved.toml"), input.file.resolved_text());
+  write_atomically(file(changes_file), nlohmann::ordered_json{{"overrides", overrides}}.dump(2) + "\n");
+  overrides_ = overrides;
 }
 
 void RunDirectory::lock() {

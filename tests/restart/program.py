@@ -30,7 +30,8 @@ ENDLESS = settings(solver__unbalanced_force_ratio=1e-300)
 def faulty_disk(**values):
     """Options of a process whose disk is slow or fails; faulty_disk.c says what can be set."""
     more = {f"FAULTY_DISK_{name.upper()}": str(value) for name, value in values.items()}
-    return {"env": {**os.environ, "LD_PRELOAD": FAULTY_DISK, **more}}
+    # Sanitizers want to be loaded first, but do not need to.
+    return {"env": {**os.environ, "LD_PRELOAD": FAULTY_DISK, "ASAN_OPTIONS": "verify_asan_link_order=0", **more}}
 
 
 def scratch_parent():

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit/lost_body.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "run/run_report.hpp"
@@ -271,11 +272,9 @@ void Runner::save_checkpoint(bool is_asked_for) {
 }
 
 void Runner::check_finite() {
-  const std::string body = find_infinite_body(built_.simulation.model(), built_.simulation.state());
-  if (body.empty()) return;
-  throw DivergenceError(fmt::format("step {}: {} has a number that is not finite (time step {} s, limited by {})",
-                                    step(), body, built_.simulation.state().clock.time_step,
-                                    built_.simulation.limiting_body()));
+  const Simulation& simulation = built_.simulation;
+  const std::string body = describe_infinite_body(simulation.model(), simulation.state());
+  if (!body.empty()) throw DivergenceError(fmt::format("step {}: {}", step(), body));
 }
 
 ExitCode Runner::finish(Ending ending) {
@@ -295,7 +294,9 @@ ExitCode Runner::finish(Ending ending) {
   const bool audit_passed = write_summary(input_, built_, directory_, summary);
   console_.line(describe_ending(input_, built_, summary, audit_passed));
   if (ending == Ending::diverged) {
-    throw DivergenceError(fmt::format("{}; last good checkpoint: {}", divergence_, last_checkpoint_));
+    throw DivergenceError(fmt::format("{}; time step {} s, limited by {}; last good checkpoint: {}", divergence_,
+                                      built_.simulation.state().clock.time_step, built_.simulation.limiting_body(),
+                                      last_checkpoint_));
   }
   console_.line(fmt::format("results: {}", directory_.path().string()));
   if (!is_final(ending)) {

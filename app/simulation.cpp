@@ -1,5 +1,7 @@
 #include "simulation.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +55,10 @@ void merge(std::vector<EnergyTerm>& lines, const std::vector<EnergyTerm>& more) 
 }  // namespace
 
 Simulation::Simulation(Model model, Modules modules, TimeStepChoice time_step)
-    : model_(std::move(model)), modules_(std::move(modules)), choice_(time_step) {
+    : model_(std::move(model)),
+      modules_(std::move(modules)),
+      choice_(time_step),
+      step_limits_(ligament::step_limits(model_)) {
   prepare_state();
   choose_time_step();
   if (is_quasi_static()) {
@@ -78,6 +83,7 @@ bool Simulation::advance() {
 void Simulation::step() {
   modules_.integrator->update_positions(model_, state_);  // x(n) = x(n-1) + v(n-½) Δt
   state_.clock.advance();
+  check_travel();
   if (modules_.contact_detector->update(model_, state_)) check_time_step();  // update set of contacts
   add_forces();                                                              // force-displacement law, Eqs (3)-(28)
   modules_.integrator->update_velocities(model_, state_);                    // law of motion, Eqs (1)-(2): v(n+½)
@@ -200,6 +206,12 @@ void Simulation::check_time_step() {
   if (state_.clock.time_step <= critical.time_step) return;
   state_.clock.time_step = choice_.factor * critical.time_step;
   limiting_body_ = critical.limiting_body;
+}
+
+void Simulation::check_travel() const {
+  if (are_within(state_, step_limits_)) return;
+  throw DivergenceError(
+      fmt::format("step {}: {}", state_.clock.step, describe_lost_body(model_, state_, step_limits_)));
 }
 
 void Simulation::add_forces() {

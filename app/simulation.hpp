@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "audit/lost_body.hpp"
 #include "core/contact_detector.hpp"
 #include "core/integrator.hpp"
 #include "integrator/convergence.hpp"
@@ -40,7 +41,7 @@ class Simulation {
 
   /// From n to n+1: a step, or an increment of loading. False if the increment finds no equilibrium; n then stays.
   bool advance();
-  /// The paper's cycle (Fig. 1).
+  /// The paper's cycle (Fig. 1). Throws DivergenceError, which names the body, if one is not finite or moves too far.
   void step();
 
   /// Makes room for the readings of gauges at the ends of so many stages of loading.
@@ -81,6 +82,7 @@ class Simulation {
   void prepare_state();
   void choose_time_step();
   void check_time_step();
+  void check_travel() const;
   void add_forces();
   void add_applied_loads();
   [[nodiscard]] ForceMagnitudes internal_forces() const;
@@ -90,6 +92,7 @@ class Simulation {
   State state_;
   Modules modules_;
   TimeStepChoice choice_;
+  StepLimits step_limits_;
   std::function<bool()> is_interrupted_ = [] { return false; };
   IncrementObserver observer_;
   std::string limiting_body_;

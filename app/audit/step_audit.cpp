@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit/lost_body.hpp"
 #include "core/block_sum.hpp"
 #include "core/error.hpp"
 
@@ -16,18 +17,14 @@ double work(const Field<Vector>& before, const TranslationState& bodies) {
                    [&](std::size_t i) { return 0.5 * dot(before[i] + bodies.force[i], bodies.increment[i]); });
 }
 
-bool is_finite_row(const TranslationState& bodies, std::size_t i) {
-  return is_finite(bodies.displacement[i]) && is_finite(bodies.velocity[i]) && is_finite(bodies.force[i]);
-}
-
 }  // namespace
 
 StepAudit::StepAudit(const Simulation& simulation) : before_(sides_of(simulation)) { remember(simulation.state()); }
 
 void StepAudit::observe(const Simulation& simulation) {
   const State& state = simulation.state();
-  if (const std::string body = find_infinite_body(simulation.model(), state); !body.empty()) {
-    throw DivergenceError(fmt::format("step {}: {} has a number that is not finite", state.clock.step, body));
+  if (const std::string body = describe_infinite_body(simulation.model(), state); !body.empty()) {
+    throw DivergenceError(fmt::format("step {}: {}", state.clock.step, body));
   }
   const Sides now = sides_of(simulation);
   const double on_bodies = work_on_bodies(state);
@@ -73,21 +70,6 @@ void StepAudit::remember(const State& state) {
   particle_force_ = state.particles.translation.force;
   particle_moment_ = state.particles.rotation.moment;
   node_force_ = state.nodes.translation.force;
-}
-
-std::string find_infinite_body(const Model& model, const State& state) {
-  const RotationState& rotation = state.particles.rotation;
-  for (std::size_t i = 0; i < model.particles.size(); ++i) {
-    if (is_finite_row(state.particles.translation, i) && std::isfinite(rotation.rotation[i]) &&
-        std::isfinite(rotation.spin[i]) && std::isfinite(rotation.moment[i])) {
-      continue;
-    }
-    return fmt::format("particle {}", model.particles.id[i]);
-  }
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    if (!is_finite_row(state.nodes.translation, i)) return fmt::format("node {}", model.nodes.id[i]);
-  }
-  return {};
 }
 
 }  // namespace ligament

@@ -47,7 +47,4 @@ class StepAudit {
   Drift transfer_;
 };
 
-/// The first body whose numbers are not finite, in words; empty if there is none.
-std::string find_infinite_body(const Model& model, const State& state);
-
 }  // namespace ligament

@@ -55,6 +55,9 @@ struct Case {
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides,
                const FileCopies& copies = {});
 
+/// The same for a case file that is read already.
+Case read_case(CaseFile case_file, InputFiles files);
+
 /// All tables and keys there are, for `explain`, the schema and the reference.
 std::vector<TableDescription> describe_case();
 

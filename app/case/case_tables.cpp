@@ -270,6 +270,10 @@ void OutputTable::declare(Parameters& parameters) {
           "evaluations of the forces between two rows of transient.csv, which shows what happens from one state of "
           "equilibrium to the next; without it there is no such file")
       .at_least(1);
+  parameters.choice("on_failed_write", on_failed_write,
+                    {{"go_on", OnFailedWrite::go_on}, {"stop", OnFailedWrite::stop}},
+                    "what is done when results or a checkpoint cannot be written: 'go_on': warn, keep the results in "
+                    "memory and try again with the next ones; 'stop': end the run (exit 5)");
 }
 
 void CheckpointTable::declare(Parameters& parameters) {

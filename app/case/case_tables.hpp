@@ -263,10 +263,14 @@ struct UniaxialTable {
   void declare(Parameters& parameters);
 };
 
+/// What a run does when results or a checkpoint cannot be written.
+enum class OnFailedWrite { go_on, stop };
+
 struct OutputTable {
   std::int64_t every = 100;
   std::optional<std::int64_t> fields_every;
   std::optional<std::int64_t> transient_every;
+  OnFailedWrite on_failed_write = OnFailedWrite::go_on;
 
   void declare(Parameters& parameters);
 };

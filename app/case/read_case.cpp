@@ -98,7 +98,11 @@ void read_solver(CaseFile& file, SolverTable& solver) {
 }  // namespace
 
 Case read_case(const std::filesystem::path& path, const std::vector<std::string>& overrides, const FileCopies& copies) {
-  Case input(CaseFile::load(path, overrides), InputFiles(path.parent_path(), copies));
+  return read_case(CaseFile::load(path, overrides), InputFiles(path.parent_path(), copies));
+}
+
+Case read_case(CaseFile case_file, InputFiles files) {
+  Case input(std::move(case_file), std::move(files));
   CaseFile& file = input.file;
   Parameters top;
   top.text("title", input.title, "what the case is about");

@@ -2,11 +2,8 @@
 
 namespace ligament {
 
-void add_set_option(CLI::App& command, std::vector<std::string>& overrides) {
-  command.add_option("--set", overrides, "key=value instead of what the case says; repeatable")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
+void add_set_option(CLI::App& command, std::vector<std::string>& overrides, const std::string& description) {
+  command.add_option("--set", overrides, description)->type_name("KEY=VALUE")->take_all()->allow_extra_args(false);
 }
 
 void add_threads_option(CLI::App& command, int& n_threads) {

@@ -8,6 +8,8 @@
 #include "commands/commands.hpp"
 #include "commands/common_options.hpp"
 #include "core/parallel.hpp"
+#include "io/case_overrides.hpp"
+#include "run/case_changes.hpp"
 #include "run/run_report.hpp"
 #include "run/runner.hpp"
 #include "run/signals.hpp"
@@ -76,16 +78,35 @@ ExitCode run(const RunOptions& options) {
 struct ResumeOptions {
   std::string directory;
   bool quiet = false;
+  std::vector<std::string> overrides;
   std::optional<std::int64_t> until_step;
   int n_threads = 1;
 };
+
+/// The overrides of a run joined by those of a resume, which replace earlier ones of the same key.
+std::vector<std::string> joined_overrides(std::vector<std::string> overrides, const std::vector<std::string>& more) {
+  for (const std::string& override : more) {
+    const std::string key = parse_override(override).key;
+    std::erase_if(overrides, [&key](const std::string& known) { return parse_override(known).key == key; });
+    overrides.push_back(override);
+  }
+  return overrides;
+}
 
 ExitCode resume(const ResumeOptions& options) {
   threads().count = options.n_threads;
   RunDirectory directory = RunDirectory::open(options.directory);
   directory.lock();
-  Case input = read_case(directory.file("case.toml"), directory.overrides(), directory.copies());
+  const std::filesystem::path case_path = directory.file("case.toml");
+  const std::vector<std::string> overrides = joined_overrides(directory.overrides(), options.overrides);
+  Case input = read_case(case_path, overrides, directory.copies());
+  const bool is_changed = !options.overrides.empty();
+  if (is_changed) {
+    const Case before = read_case(case_path, directory.overrides(), directory.copies());
+    require_same_run(before.file.resolved_text(), input.file.resolved_text());
+  }
   BuiltSimulation built = build_simulation(input);
+  if (is_changed) directory.change_overrides(overrides, input);
   Console console(options.quiet);
   console.open_log(directory.file("run.log"));
   show_banner(console, input, built);
@@ -118,6 +139,8 @@ void add_resume_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("resume", "go on from the newest good checkpoint, to the same bits");
   command->add_option("run_directory", options->directory, "directory of the run")->required()->type_name("DIR");
   command->add_flag("--quiet", options->quiet, "say nothing but warnings and errors");
+  add_set_option(*command, options->overrides,
+                 "key=value from now on, for what is written and when the run ends; repeatable");
   command->add_option("--until-step", options->until_step, "stop at this step, with a checkpoint")
       ->check(steps_range());
   add_threads_option(*command, options->n_threads);

@@ -4,23 +4,28 @@
 
 #include "core/error.hpp"
 #include "core/state_hash.hpp"
+#include "core/text_hash.hpp"
 #include "io/state_archive.hpp"
+#include "run/case_changes.hpp"
 #include "version.hpp"
 
 namespace ligament {
 
 Checkpoints::Checkpoints(const RunDirectory& directory, const Case& input)
-    : store_(directory.checkpoint_folder(), directory.run_id(), static_cast<int>(input.checkpoint.keep)),
-      run_id_(directory.run_id()),
-      case_hash_(case_hash(input)) {}
+    : store_(directory.checkpoint_folder(), directory.run_id(), static_cast<int>(input.checkpoint.keep)) {
+  provenance_.program_version = program_version();
+  provenance_.build = program_build();
+  provenance_.compiler = program_compiler();
+  provenance_.run_id = directory.run_id();
+  provenance_.case_hash = case_hash(input);
+  provenance_.case_text = input.file.resolved_text();
+  provenance_.overrides = directory.overrides();
+  for (const auto& [path, content] : input.files->contents()) provenance_.inputs.emplace_back(path, text_hash(content));
+  provenance_.seed = input.generation.seed;
+}
 
 std::filesystem::path Checkpoints::save(const State& state) {
-  CheckpointHeader header;
-  header.program_version = program_version();
-  header.build = program_build();
-  header.compiler = program_compiler();
-  header.run_id = run_id_;
-  header.case_hash = case_hash_;
+  CheckpointHeader header = provenance_;
   header.state_hash = state_hash(state);
   header.step = state.clock.step;
   header.time = state.clock.time;
@@ -31,10 +36,11 @@ std::filesystem::path Checkpoints::save(const State& state) {
 std::optional<std::int64_t> Checkpoints::restore(Simulation& simulation, const CheckpointStore::OnBad& on_bad) const {
   const std::optional<Checkpoint> checkpoint = store_.newest_good(on_bad);
   if (!checkpoint) return std::nullopt;
-  if (checkpoint->header.case_hash != case_hash_) {
+  require_same_run(checkpoint->header.case_text, provenance_.case_text);
+  if (checkpoint->header.inputs != provenance_.inputs) {
     throw InputError(
-        "the case in the run directory, or a file in its inputs/, is not the one the checkpoints were written with: a "
-        "case must not change between run and resume");
+        "a file in the inputs/ of the run directory is not the one the checkpoints were written with: it must not "
+        "change between run and resume");
   }
   State state = simulation.state();
   load_state(checkpoint->payload, checkpoint->header.array_lengths, simulation.model(), state);

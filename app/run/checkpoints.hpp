@@ -8,7 +8,7 @@
 
 namespace ligament {
 
-/// The checkpoints of a run: State to archive and back.
+/// The checkpoints of a run: State to archive and back, and what run they belong to.
 class Checkpoints {
  public:
   Checkpoints(const RunDirectory& directory, const Case& input);
@@ -17,13 +17,13 @@ class Checkpoints {
   std::filesystem::path save(const State& state);
 
   /// Brings the simulation to the newest good checkpoint; nothing if there is none. Damaged ones are passed over, each
-  /// with a call of `on_bad`. Throws InputError if it is one of another case.
+  /// with a call of `on_bad`. Throws InputError if the case, or a file that it names, is another one than it was
+  /// written with, but for the keys that may change.
   std::optional<std::int64_t> restore(Simulation& simulation, const CheckpointStore::OnBad& on_bad) const;
 
  private:
   CheckpointStore store_;
-  std::string run_id_;
-  std::string case_hash_;
+  CheckpointHeader provenance_;  ///< what all headers of this run have in common
 };
 
 }  // namespace ligament

@@ -10,8 +10,8 @@
 
 namespace ligament {
 
-/// cracks.csv: a row for every bond that breaks, written after the step or increment that broke it. What is known to be
-/// broken already follows from the state.
+/// cracks.csv: a row for every bond that breaks, after the step or increment that broke it. What is known to be broken
+/// already follows from the state.
 class CrackRecord {
  public:
   /// Starts a new file, with what is broken at step 0.
@@ -19,9 +19,11 @@ class CrackRecord {
   /// Goes on with the file of a run that is resumed at this step; what it holds beyond it is dropped.
   CrackRecord(const std::filesystem::path& path, const Simulation& simulation, std::int64_t resumed_step);
 
-  /// Writes a row for every bond that has broken since the last call, and counts it in the state.
+  /// Adds a row for every bond that has broken since the last call, and counts it in the state.
   void observe(Simulation& simulation);
-  void sync() { table_.sync(); }
+  /// The file it writes to.
+  CsvTable& table() { return table_; }
+  [[nodiscard]] const CsvTable& table() const { return table_; }
 
  private:
   /// Broken contacts in the list at the last look; sorted.

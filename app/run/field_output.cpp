@@ -184,19 +184,26 @@ void FieldOutput::resume(std::int64_t last_step) {
   for (FieldSeries* series : {&particles_, &elements_, &contacts_, &walls_}) series->resume(last_step);
 }
 
-void FieldOutput::write(const Model& model, const State& state) {
+void FieldOutput::add(const Model& model, const State& state) {
   const std::int64_t step = state.clock.step;
   const double time = state.clock.time;
-  const auto write_group = [&](FieldSeries& series, const FieldGroup& group) {
-    write_vtkhdf(series.file_of(step), group, step, time);
-    series.add(step, time);
+  const auto add_group = [&](FieldSeries& series, const FieldGroup& group) {
+    series.add(step, time, vtkhdf_image(series.file_of(step), group, step, time));
   };
   if (model.particles.size() > 0) {
-    write_group(particles_, particle_fields(model, state));
-    write_group(contacts_, contact_fields(model, state));
+    add_group(particles_, particle_fields(model, state));
+    add_group(contacts_, contact_fields(model, state));
   }
-  if (model.elements.size() > 0) write_group(elements_, element_fields(model, state));
-  if (!model.walls.empty()) write_group(walls_, wall_fields(model, state));
+  if (model.elements.size() > 0) add_group(elements_, element_fields(model, state));
+  if (!model.walls.empty()) add_group(walls_, wall_fields(model, state));
+}
+
+void FieldOutput::flush() {
+  for (FieldSeries* series : {&particles_, &elements_, &contacts_, &walls_}) series->flush();
+}
+
+std::size_t FieldOutput::n_waiting() const {
+  return particles_.n_waiting() + elements_.n_waiting() + contacts_.n_waiting() + walls_.n_waiting();
 }
 
 }  // namespace ligament

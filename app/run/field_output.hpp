@@ -23,7 +23,12 @@ class FieldOutput {
 
   /// Drops what is later than this step; -1 drops everything.
   void resume(std::int64_t last_step);
-  void write(const Model& model, const State& state);
+  /// Takes the fields of this state, to be written by the next flush().
+  void add(const Model& model, const State& state);
+  /// Writes what waits; on FileError the rest waits on.
+  void flush();
+  /// Bytes of the files that wait.
+  [[nodiscard]] std::size_t n_waiting() const;
 
  private:
   FieldSeries particles_;

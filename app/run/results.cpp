@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "core/error.hpp"
+
 namespace ligament {
 namespace {
 
@@ -52,7 +54,7 @@ Results::Results(const RunDirectory& directory, const BuiltSimulation& built, bo
   fields_.resume(resumed_step);
 }
 
-HistoryRow Results::write_row(BuiltSimulation& built) {
+HistoryRow Results::add_row(BuiltSimulation& built) {
   Simulation& simulation = built.simulation;
   const Clock& clock = simulation.state().clock;
   HistoryRow row{.step = clock.step, .time = clock.time};
@@ -77,7 +79,7 @@ HistoryRow Results::write_row(BuiltSimulation& built) {
   return row;
 }
 
-void Results::write_transient_row(const BuiltSimulation& built, std::int64_t evaluation, double kinetic_energy) {
+void Results::add_transient_row(const BuiltSimulation& built, std::int64_t evaluation, double kinetic_energy) {
   const Simulation& simulation = built.simulation;
   const Clock& clock = simulation.state().clock;
   std::vector<double> row{static_cast<double>(evaluation), clock.time};
@@ -87,11 +89,34 @@ void Results::write_transient_row(const BuiltSimulation& built, std::int64_t eva
   transient_->append(clock.step + 1, row);
 }
 
+void Results::flush() {
+  std::optional<FileError> first_error;
+  const auto try_to = [&](auto& file) {
+    try {
+      file.flush();
+    } catch (const FileError& error) {
+      if (!first_error) first_error = error;
+    }
+  };
+  try_to(history_);
+  if (transient_) try_to(*transient_);
+  try_to(energy_);
+  try_to(cracks_.table());
+  try_to(fields_);
+  if (first_error) throw FileError(*first_error);
+}
+
 void Results::sync() {
+  flush();
   history_.sync();
   if (transient_) transient_->sync();
   energy_.sync();
-  cracks_.sync();
+  cracks_.table().sync();
+}
+
+std::size_t Results::n_waiting() const {
+  const std::size_t n_transient = transient_ ? transient_->n_waiting() : 0;
+  return history_.n_waiting() + n_transient + energy_.n_waiting() + cracks_.table().n_waiting() + fields_.n_waiting();
 }
 
 }  // namespace ligament

@@ -21,7 +21,7 @@ struct HistoryRow {
 };
 
 /// The result files of a run that grow with it: history.csv, energy.csv, cracks.csv, fields/, and transient.csv where
-/// the case asks for it.
+/// the case asks for it. Rows and fields are taken into memory and wait there for flush(), however often it fails.
 class Results {
  public:
   /// Starts new files.
@@ -31,13 +31,17 @@ class Results {
 
   /// Takes note of the bonds that the last step or increment broke.
   void record_breaks(Simulation& simulation) { cracks_.observe(simulation); }
-  /// Audits the energy and writes a row of both tables.
-  HistoryRow write_row(BuiltSimulation& built);
+  /// Audits the energy and adds a row to both tables.
+  HistoryRow add_row(BuiltSimulation& built);
   /// A row of transient.csv, on the way to the next state of equilibrium.
-  void write_transient_row(const BuiltSimulation& built, std::int64_t evaluation, double kinetic_energy);
-  void write_fields(const Simulation& simulation) { fields_.write(simulation.model(), simulation.state()); }
-  /// Brings the rows to the disk, before a checkpoint relies on them.
+  void add_transient_row(const BuiltSimulation& built, std::int64_t evaluation, double kinetic_energy);
+  void add_fields(const Simulation& simulation) { fields_.add(simulation.model(), simulation.state()); }
+  /// Writes all that waits, as far as it can be written. Throws FileError for the first file that could not.
+  void flush();
+  /// Brings everything to the disk, before a checkpoint relies on it.
   void sync();
+  /// Bytes that wait.
+  [[nodiscard]] std::size_t n_waiting() const;
 
  private:
   CsvTable history_;

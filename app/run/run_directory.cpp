@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* identity_file = "run.json";
+/// What resumes have changed. run.json itself stays as it is: it is what processes lock.
+constexpr const char* changes_file = "changes.json";
 
 std::string new_run_id() {
   std::random_device device;
@@ -159,7 +161,9 @@ RunDirectory RunDirectory::open(const fs::path& path) {
     const auto identity = nlohmann::json::parse(read_file(identity_path));
     run.run_id_ = identity.at("run_id").get<std::string>();
     run.case_name_ = identity.at("case").get<std::string>();
-    run.overrides_ = identity.at("overrides").get<std::vector<std::string>>();
+    const fs::path changes = run.file(changes_file);
+    const auto& latest = fs::exists(changes) ? nlohmann::json::parse(read_file(changes)) : identity;
+    run.overrides_ = latest.at("overrides").get<std::vector<std::string>>();
     run.checkpoint_folder_ = identity.at("checkpoints").get<std::string>();
     const auto inputs = identity.value("inputs", nlohmann::json::object());
     for (const auto& [name, copy] : inputs.items()) run.copies_[name] = run.file(copy);
@@ -180,6 +184,12 @@ void RunDirectory::remove() {
   // Whatever run.json says, only a folder that bears the run's id is the run's own.
   if (checkpoint_folder_.filename().string().ends_with("-" + run_id_)) fs::remove_all(checkpoint_folder_);
   fs::remove_all(path_);
+}
+
+void RunDirectory::change_overrides(const std::vector<std::string>& overrides, const Case& input) {
+  write_atomically(file("case_resolved.toml"), input.file.resolved_text());
+  write_atomically(file(changes_file), nlohmann::ordered_json{{"overrides", overrides}}.dump(2) + "\n");
+  overrides_ = overrides;
 }
 
 void RunDirectory::lock() {

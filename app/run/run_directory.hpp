@@ -22,6 +22,9 @@ class RunDirectory {
   /// Opens the folder of an earlier run. Throws InputError if it is none.
   static RunDirectory open(const std::filesystem::path& path);
 
+  /// Goes on with these overrides, also whenever the run is resumed. Throws FileError if they cannot be written down.
+  void change_overrides(const std::vector<std::string>& overrides, const Case& input);
+
   /// Keeps other processes from working on the run while this object lives. Throws InputError if one does already.
   void lock();
 
@@ -34,7 +37,7 @@ class RunDirectory {
   [[nodiscard]] std::filesystem::path file(const std::string& name) const { return path_ / name; }
   [[nodiscard]] const std::string& run_id() const { return run_id_; }
   [[nodiscard]] const std::filesystem::path& checkpoint_folder() const { return checkpoint_folder_; }
-  /// The --set of the first run.
+  /// The --set of the first run, and of those that resumed it.
   [[nodiscard]] const std::vector<std::string>& overrides() const { return overrides_; }
   /// The copies of files that the case names.
   [[nodiscard]] const FileCopies& copies() const { return copies_; }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "audit/lost_body.hpp"
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "run/crack_record.hpp"
@@ -42,6 +43,10 @@ ExitCode exit_code_of(Ending ending) {
   }
 }
 
+/// choice: results that wait for room may take this much memory; a run that stops then loses nothing, since it goes on
+/// from its last checkpoint.
+constexpr std::size_t most_waiting_bytes = std::size_t{256} << 20;
+
 /// The run is at an end of its own; it was not merely stopped.
 bool is_final(Ending ending) {
   return ending == Ending::converged || ending == Ending::completed || ending == Ending::not_converged;
@@ -60,7 +65,7 @@ Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& di
   built.simulation.interrupt_increments_by(&is_stop_requested);
   if (input.output.transient_every) {
     const auto write_row = [this](std::int64_t evaluation, double kinetic_energy) {
-      results_->write_transient_row(built_, evaluation, kinetic_energy);
+      results_->add_transient_row(built_, evaluation, kinetic_energy);
     };
     built.simulation.observe_increments_by({*input.output.transient_every, write_row});
   }
@@ -70,10 +75,11 @@ Runner::Runner(const Case& input, BuiltSimulation& built, const RunDirectory& di
 ExitCode Runner::start() {
   results_.emplace(directory_, built_, input_.output.transient_every.has_value());
   table_.show_header();
-  table_.show(results_->write_row(built_));
-  results_->write_fields(built_.simulation);
+  table_.show(results_->add_row(built_));
+  results_->add_fields(built_.simulation);
   try {
-    save_checkpoint(false);
+    // A run that cannot save its start is not begun: whoever started it is still there.
+    save_state();
   } catch (const DivergenceError& error) {
     divergence_ = error.what();
     return finish(Ending::diverged);
@@ -190,6 +196,8 @@ std::string Runner::reached_criterion() const {
 std::optional<Ending> Runner::find_ending() {
   if (built_.simulation.is_quasi_static() || is_due(input_.solver.check_every)) {
     watch_gauges();
+    // The macro-crack is found from the breaks in cracks.csv.
+    if (input_.stop && input_.stop->table.crack_span) write_results();
     reached_ = reached_criterion();
     if (!reached_.empty()) return Ending::completed;
   }
@@ -222,26 +230,29 @@ std::optional<Ending> Runner::requested_ending() {
 Ending Runner::end_at_last_equilibrium() {
   const Ending ending = requested_ending().value_or(Ending::not_converged);
   // Its row and fields have been written if they were due.
-  if (is_final(ending) && !is_due(input_.output.every)) table_.show(results_->write_row(built_));
+  if (is_final(ending) && !is_due(input_.output.every)) table_.show(results_->add_row(built_));
   const bool has_fields = input_.output.fields_every && is_due(*input_.output.fields_every);
-  if (is_final(ending) && !has_fields) results_->write_fields(built_.simulation);
+  if (is_final(ending) && !has_fields) results_->add_fields(built_.simulation);
   save_checkpoint(true);
   return ending;
 }
 
 void Runner::handle_boundary(std::optional<Ending> ending) {
   const bool is_end = stage_is_complete_ || (ending && is_final(*ending));
-  if (is_due(input_.output.every) || is_end) {
+  const bool row_is_due = is_due(input_.output.every) || is_end;
+  if (row_is_due) {
     check_finite();
-    table_.show(results_->write_row(built_));
+    table_.show(results_->add_row(built_));
   }
-  const bool fields_are_due = input_.output.fields_every && is_due(*input_.output.fields_every);
-  if (fields_are_due || is_end) results_->write_fields(built_.simulation);
+  const bool fields_are_due = is_end || (input_.output.fields_every && is_due(*input_.output.fields_every));
+  if (fields_are_due) results_->add_fields(built_.simulation);
   if (stage_is_complete_) finish_stage();
   // Last, so that it stands for everything this boundary has written.
   if (is_due(input_.checkpoint.every) || ending || wants_checkpoint_) {
     save_checkpoint(ending.has_value() || wants_checkpoint_);
     wants_checkpoint_ = false;
+  } else if (row_is_due || fields_are_due) {
+    write_results();
   }
   table_.show_progress(step());
 }
@@ -253,28 +264,60 @@ void Runner::finish_stage() {
   stage_is_complete_ = false;
 }
 
-void Runner::save_checkpoint(bool is_asked_for) {
-  check_finite();
+bool Runner::write_results() {
   try {
-    results_->sync();
-    last_checkpoint_ = checkpoints_.save(built_.simulation.state()).string();
-    checkpoint_step_ = step();
+    results_->flush();
+    if (!failed_write_.empty()) console_.line(fmt::format("step {}: the results that waited are written", step()));
+    failed_write_.clear();
+  } catch (const FileError& error) {
+    failed_write_ = error.what();
+    go_on_without_write("results wait in memory for the next try", failed_write_);
+  }
+  return failed_write_.empty();
+}
+
+void Runner::go_on_without_write(const std::string& consequence, const std::string& reason) {
+  const bool has_room = results_->n_waiting() <= most_waiting_bytes;
+  if (input_.output.on_failed_write == OnFailedWrite::go_on && has_room) {
+    return console_.warning(fmt::format("step {}: {}: {}", step(), consequence, reason));
+  }
+  const char* const why = has_room ? "" : "; too many results wait in memory";
+  throw FileError(fmt::format("step {}: {}{}; last good checkpoint: {}", step(), reason, why, last_checkpoint_));
+}
+
+void Runner::save_state() {
+  check_finite();
+  // A checkpoint stands for all results up to its step.
+  results_->sync();
+  last_checkpoint_ = checkpoints_.save(built_.simulation.state()).string();
+  checkpoint_step_ = step();
+}
+
+void Runner::save_checkpoint(bool is_asked_for) {
+  if (!write_results()) return;
+  try {
+    save_state();
     if (is_asked_for) console_.line(fmt::format("checkpoint: {}", last_checkpoint_));
   } catch (const FileError& error) {
     // The run is worth more than one checkpoint: the next one may find room again.
-    console_.warning(fmt::format("step {}: no checkpoint written: {}", step(), error.what()));
+    go_on_without_write("no checkpoint written", error.what());
   }
 }
 
 void Runner::check_finite() {
-  const std::string body = find_infinite_body(built_.simulation.model(), built_.simulation.state());
-  if (body.empty()) return;
-  throw DivergenceError(fmt::format("step {}: {} has a number that is not finite (time step {} s, limited by {})",
-                                    step(), body, built_.simulation.state().clock.time_step,
-                                    built_.simulation.limiting_body()));
+  const Simulation& simulation = built_.simulation;
+  const std::string body = describe_infinite_body(simulation.model(), simulation.state());
+  if (!body.empty()) throw DivergenceError(fmt::format("step {}: {}", step(), body));
 }
 
 ExitCode Runner::finish(Ending ending) {
+  if (ending == Ending::diverged) {
+    write_results();
+  } else if (!failed_write_.empty()) {
+    throw FileError(
+        fmt::format("step {}: the run is at its end, and results could not be written: {}; last good checkpoint: {}",
+                    step(), failed_write_, last_checkpoint_));
+  }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   RunSummary summary{.ending = ending, .wall_time = seconds, .reached = reached_, .divergence = divergence_};
   if (step_audit_) {
@@ -284,7 +327,9 @@ ExitCode Runner::finish(Ending ending) {
   const bool audit_passed = write_summary(input_, built_, directory_, summary);
   console_.line(describe_ending(input_, built_, summary, audit_passed));
   if (ending == Ending::diverged) {
-    throw DivergenceError(fmt::format("{}; last good checkpoint: {}", divergence_, last_checkpoint_));
+    throw DivergenceError(fmt::format("{}; time step {} s, limited by {}; last good checkpoint: {}", divergence_,
+                                      built_.simulation.state().clock.time_step, built_.simulation.limiting_body(),
+                                      last_checkpoint_));
   }
   console_.line(fmt::format("results: {}", directory_.path().string()));
   if (!is_final(ending)) {

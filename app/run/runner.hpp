@@ -54,6 +54,13 @@ class Runner {
   void handle_boundary(std::optional<Ending> ending);
   /// Writes the state of equilibrium that a stage ends in, and begins the next one.
   void finish_stage();
+  /// Writes the results that wait; false if they wait on. Throws FileError if the case asks for an end then, or if too
+  /// many wait.
+  bool write_results();
+  void go_on_without_write(const std::string& consequence, const std::string& reason);
+  /// Writes a checkpoint, and first all results; throws FileError if one of them cannot be written.
+  void save_state();
+  /// The same, but a run goes on that cannot save its state.
   void save_checkpoint(bool is_asked_for);
   void check_finite();
   ExitCode finish(Ending ending);
@@ -70,6 +77,7 @@ class Runner {
   LiveTable table_;
   std::optional<std::int64_t> stop_step_;
   std::string last_checkpoint_ = "none";
+  std::string failed_write_;           ///< of results, at the last try; empty if it went well
   std::int64_t checkpoint_step_ = -1;  ///< of the last one
   bool wants_checkpoint_ = false;      ///< asked for by a signal
   std::string reached_;                ///< criterion of the case that has ended the run

@@ -23,7 +23,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "checkpoints hold little-endian numbers");
 
 constexpr std::string_view magic = "LIGAMENT CHECKPOINT\n";
-constexpr std::uint32_t format_version = 1;
+constexpr std::uint32_t format_version = 2;
 constexpr std::size_t checksum_size = sizeof(XXH128_canonical_t);
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
@@ -38,6 +38,10 @@ void visit_header(Header& header, Visitor&& visit) {
   visit("compiler", header.compiler);
   visit("run_id", header.run_id);
   visit("case_hash", header.case_hash);
+  visit("case_text", header.case_text);
+  visit("overrides", header.overrides);
+  visit("inputs", header.inputs);
+  visit("seed", header.seed);
   visit("state_hash", header.state_hash);
   visit("step", header.step);
   visit("time", header.time);
@@ -176,8 +180,9 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointHeader&
   write_atomically(path, content);
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& path) {
-  std::string content = read_file(path);
+Checkpoint read_checkpoint(const std::filesystem::path& path) { return parse_checkpoint(path, read_file(path)); }
+
+Checkpoint parse_checkpoint(const std::filesystem::path& path, std::string content) {
   const Layout layout = verified_layout(path, content);
   Checkpoint checkpoint;
   checkpoint.header = header_from_text(path, layout.header_text);

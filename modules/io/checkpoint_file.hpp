@@ -22,6 +22,11 @@ struct CheckpointHeader {
   std::string compiler;
   std::string run_id;
   std::string case_hash;
+  std::string case_text;               ///< the case as it was read, defaults and overrides in
+  std::vector<std::string> overrides;  ///< each as key=value
+  /// Path in the case and hash of the content of every file that the case names.
+  std::vector<std::pair<std::string, std::string>> inputs;
+  std::int64_t seed = 0;  ///< of the random numbers of the generators
   std::string state_hash;
   std::int64_t step = 0;
   double time = 0.0;  ///< s
@@ -44,6 +49,9 @@ void write_checkpoint(const std::filesystem::path& path, const CheckpointHeader&
 /// Reads a checkpoint whose every byte was verified. Throws FileError, naming the file, when it can't be read, is no
 /// checkpoint, is truncated or damaged, or was written by another format version, word size or Boost version.
 Checkpoint read_checkpoint(const std::filesystem::path& path);
+
+/// The same for content that was read already; `path` is for messages.
+Checkpoint parse_checkpoint(const std::filesystem::path& path, std::string content);
 
 /// The header alone, verified like read_checkpoint, but of any word size and Boost version.
 CheckpointHeader read_checkpoint_header(const std::filesystem::path& path);

@@ -77,7 +77,8 @@ std::size_t kept_bytes(std::string_view content, std::size_t header_size, std::s
 CsvTable CsvTable::create(const std::filesystem::path& path, std::span<const std::string> columns) {
   const std::string header = header_line(columns);
   CsvTable table(FileDescriptor(path, O_WRONLY | O_CREAT | O_TRUNC | O_APPEND), columns.size(), 0);
-  table.append_line(header);
+  table.waiting_ = header;
+  table.flush();
   return table;
 }
 
@@ -97,7 +98,7 @@ CsvTable CsvTable::resume(const std::filesystem::path& path, std::span<const std
 
 void CsvTable::append(std::int64_t step, std::span<const double> values) {
   expect_columns(values.size());
-  append_line(fmt::format("{}{}{}\n", step, values.empty() ? "" : ",", fmt::join(values, ",")));
+  fmt::format_to(std::back_inserter(waiting_), "{}{}{}\n", step, values.empty() ? "" : ",", fmt::join(values, ","));
 }
 
 void CsvTable::append(std::int64_t step, std::span<const CsvCell> cells) {
@@ -107,18 +108,30 @@ void CsvTable::append(std::int64_t step, std::span<const CsvCell> cells) {
     if (const auto* word = std::get_if<std::string_view>(&cell)) check_word(*word);
     std::visit([&line](const auto& value) { fmt::format_to(std::back_inserter(line), ",{}", value); }, cell);
   }
-  append_line(line + '\n');
+  waiting_ += line + '\n';
 }
 
-void CsvTable::append_line(std::string_view line) {
+void CsvTable::flush() {
+  if (!file_.is_in_place()) {
+    throw FileError(fmt::format("cannot write {}: it was removed or replaced under the run", file_.path().string()));
+  }
+  if (is_torn_ && !file_.truncate(n_bytes_)) throw_file_error("write", file_.path());
+  is_torn_ = false;
   try {
-    file_.write_all(line);
+    file_.write_all(waiting_);
   } catch (const FileError&) {
-    // A full disk may have taken half a row; if this fails too, resume() drops the torn row.
-    static_cast<void>(file_.truncate(n_bytes_));
+    // A full disk may have taken half a row. Where that cannot be cut off now it is before the next write, or by
+    // resume().
+    is_torn_ = !file_.truncate(n_bytes_);
     throw;
   }
-  n_bytes_ += line.size();
+  n_bytes_ += waiting_.size();
+  waiting_.clear();
+}
+
+void CsvTable::sync() {
+  flush();
+  file_.flush_to_disk();
 }
 
 void CsvTable::expect_columns(std::size_t n_values) const {

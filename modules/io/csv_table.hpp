@@ -15,9 +15,10 @@ namespace ligament {
 /// A number or a word. Words and column names may not hold commas, quotes or line breaks: nothing is ever quoted.
 using CsvCell = std::variant<double, std::int64_t, std::string_view>;
 
-/// An append-only CSV file with one header line, whose first column is always `step`. Each row is one write of a whole
-/// line, so a killed run leaves whole rows; call sync() before a checkpoint of the same step is written, so that the
-/// rows a resumed run keeps are on the disk. `columns` names the columns after `step`.
+/// An append-only CSV file with one header line, whose first column is always `step`. Rows wait in memory for the next
+/// flush(), and stay there as long as they cannot be written: the file has the same bytes whenever it could be. Call
+/// sync() before a checkpoint of the same step is written, so that the rows a resumed run keeps are on the disk.
+/// `columns` names the columns after `step`.
 class CsvTable {
  public:
   /// Starts the file anew; InputError for an impossible column name, FileError if it cannot be written.
@@ -29,23 +30,28 @@ class CsvTable {
   [[nodiscard]] static CsvTable resume(const std::filesystem::path& path, std::span<const std::string> columns,
                                        std::int64_t last_step);
 
-  /// Appends one row; numbers are written with the fewest digits that read back to the same bits. On FileError the file
-  /// ends with the row before.
+  /// Adds one row; numbers are written with the fewest digits that read back to the same bits.
   void append(std::int64_t step, std::span<const double> values);
   void append(std::int64_t step, std::span<const CsvCell> cells);
 
-  /// Flushes to the disk.
-  void sync() { file_.flush_to_disk(); }
+  /// Writes the rows that wait. On FileError, also where the file was removed under the run, it ends with a whole row
+  /// and all rows wait on.
+  void flush();
+  /// Brings all rows to the disk.
+  void sync();
+  /// Bytes of the rows that wait.
+  [[nodiscard]] std::size_t n_waiting() const { return waiting_.size(); }
 
  private:
   CsvTable(FileDescriptor file, std::size_t n_columns, std::size_t n_bytes)
       : file_(std::move(file)), n_columns_(n_columns), n_bytes_(n_bytes) {}
-  void append_line(std::string_view line);
   void expect_columns(std::size_t n_values) const;
 
   FileDescriptor file_;
   std::size_t n_columns_;  ///< after `step`
-  std::size_t n_bytes_;    ///< up to the last whole row
+  std::size_t n_bytes_;    ///< written, all of whole rows
+  bool is_torn_ = false;   ///< more than that may be in the file
+  std::string waiting_;    ///< rows that are not in the file yet
 };
 
 /// A CSV file as read back: every cell as it stands in the file, `step` included.

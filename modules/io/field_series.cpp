@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -55,13 +56,30 @@ FieldSeries::FieldSeries(std::filesystem::path folder, std::string group_name)
 
 std::filesystem::path FieldSeries::file_of(std::int64_t step) const { return folder_ / file_name(group_name_, step); }
 
-void FieldSeries::add(std::int64_t step, double time_s) {
-  if (!stamps_.empty() && step <= stamps_.back().step) {
-    throw std::logic_error(
-        fmt::format("fields '{}' of step {} after those of {}", group_name_, step, stamps_.back().step));
+void FieldSeries::add(std::int64_t step, double time_s, std::string image) {
+  const std::int64_t last = !waiting_.empty() ? waiting_.back().stamp.step : stamps_.empty() ? -1 : stamps_.back().step;
+  if (step <= last) {
+    throw std::logic_error(fmt::format("fields '{}' of step {} after those of {}", group_name_, step, last));
   }
-  stamps_.push_back({step, time_s});
+  waiting_.push_back({{step, time_s}, std::move(image)});
+}
+
+void FieldSeries::flush() {
+  while (!waiting_.empty()) {
+    const WaitingFile& next = waiting_.front();
+    write_atomically(file_of(next.stamp.step), next.image);
+    is_listed_ = false;
+    stamps_.push_back(next.stamp);
+    waiting_.pop_front();
+  }
+  if (is_listed_) return;
   write_list();
+  is_listed_ = true;
+}
+
+std::size_t FieldSeries::n_waiting() const {
+  return std::accumulate(waiting_.begin(), waiting_.end(), std::size_t{0},
+                         [](std::size_t sum, const WaitingFile& file) { return sum + file.image.size(); });
 }
 
 void FieldSeries::resume(std::int64_t last_step) {

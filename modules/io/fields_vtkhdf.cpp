@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "io/atomic_file.hpp"
 #include "io/hdf5_image.hpp"
 
 namespace ligament {
@@ -114,16 +113,16 @@ void check_geometry(const FieldGroup& group, std::size_t n_points) {
 
 }  // namespace
 
-void write_vtkhdf(const std::filesystem::path& final_path, const FieldGroup& group, std::int64_t step, double time_s) {
+std::string vtkhdf_image(const std::filesystem::path& path, const FieldGroup& group, std::int64_t step, double time_s) {
   const std::size_t n_points = group.points.size() / 3;
   const std::size_t n_cells = group.connectivity.size() / points_per_cell(group.cell_type);
   check_geometry(group, n_points);
-  VtkhdfImage image(final_path);
+  VtkhdfImage image(path);
   add_geometry(image, group, n_points, n_cells);
   add_stamp(image, step, time_s);
   add_arrays(image, image.point_data(), group.point_data, n_points);
   add_arrays(image, image.cell_data(), group.cell_data, n_cells);
-  write_atomically(final_path, image.bytes());
+  return image.bytes();
 }
 
 std::vector<double> read_field_array(const std::filesystem::path& path, const std::string& name) {

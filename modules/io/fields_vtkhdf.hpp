@@ -35,11 +35,12 @@ struct FieldStamp {
   double time_s = 0;
 };
 
-/// Writes a group as VTKHDF UnstructuredGrid 1.0, whole or not at all. The bytes depend on the arguments alone. Units
-/// are attributes of the arrays, step and time attributes of /VTKHDF. FileError names the path and the reason.
-void write_vtkhdf(const std::filesystem::path& final_path, const FieldGroup& group, std::int64_t step, double time_s);
+/// A group as the bytes of a file, VTKHDF UnstructuredGrid 1.0, that is meant for this path. They depend on group, step
+/// and time alone. Units are attributes of the arrays, step and time attributes of /VTKHDF. FileError, which names the
+/// path and the reason, if HDF5 cannot make them.
+std::string vtkhdf_image(const std::filesystem::path& path, const FieldGroup& group, std::int64_t step, double time_s);
 
-/// What write_vtkhdf wrote as step and time; FileError if the file cannot be read or has none.
+/// What vtkhdf_image wrote as step and time; FileError if the file cannot be read or has none.
 [[nodiscard]] FieldStamp read_field_stamp(const std::filesystem::path& path);
 
 /// The values of an array such as "Points", "Connectivity" or "CellData/damage", row by row, integers as numbers too;

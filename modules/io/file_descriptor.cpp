@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -56,6 +57,13 @@ bool FileDescriptor::truncate(std::size_t n_bytes) noexcept {
 
 bool FileDescriptor::try_lock() noexcept {
   return ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+bool FileDescriptor::is_in_place() const noexcept {
+  struct stat opened = {};
+  struct stat named = {};
+  return ::fstat(descriptor_, &opened) == 0 && ::stat(path_.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
 }
 
 void FileDescriptor::flush_to_disk() {

@@ -33,6 +33,8 @@ class FileDescriptor {
   /// Locks the file against other processes until it is closed or the process ends, however it ends; false if another
   /// one holds it. File systems that know no locks let everyone in.
   [[nodiscard]] bool try_lock() noexcept;
+  /// Whether the file is still what its path leads to: not removed, replaced or moved since it was opened.
+  [[nodiscard]] bool is_in_place() const noexcept;
   /// Flushes to the disk. File systems that cannot flush this kind of file are not an error.
   void flush_to_disk();
   /// Closes and reports what a destructor would have to keep quiet (delayed write errors of network file systems).

@@ -68,9 +68,14 @@ void read_archive(const std::string& archive_bytes, const ArrayLengths& lengths,
     std::istringstream stream(archive_bytes);
     boost::archive::binary_iarchive archive(stream);
     auto length = lengths.begin();
-    visit_fields(state, [&]<class T>(const std::string&, T& field, FieldRole) {
+    visit_fields(state, [&]<class T>(const std::string& name, T& field, FieldRole) {
       if constexpr (IsField<T>::value) {
-        field.assign((length++)->second, typename T::value_type{});
+        const std::uint64_t n_entries = (length++)->second;
+        // What is too long for the archive may be too long for any memory.
+        if (n_entries > archive_bytes.size() / sizeof(typename T::value_type)) {
+          throw FileError(fmt::format("the field '{}' of the checkpoint is longer than its archive", name));
+        }
+        field.assign(n_entries, typename T::value_type{});
         if (!field.empty()) {
           archive >> make_binary_object(field.data(), field.size() * sizeof(typename T::value_type));
         }

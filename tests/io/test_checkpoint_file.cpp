@@ -33,6 +33,10 @@ CheckpointHeader example_header() {
   header.compiler = "GNU 12.2.0";
   header.run_id = "a1b2c3";
   header.case_hash = "00ff";
+  header.case_text = "title = \"Träger \\\"A\\\"\"\n";
+  header.overrides = {"solver.max_steps=3"};
+  header.inputs = {{"../discs.h5", "abcd"}};
+  header.seed = 17;
   header.state_hash = "1234";
   header.step = 9'007'199'254'740'993;  // not a double
   header.time = 0.1 + 0.2;
@@ -92,6 +96,10 @@ TEST_CASE("a checkpoint comes back as it was written") {
   CHECK(checkpoint.header.compiler == header.compiler);
   CHECK(checkpoint.header.run_id == header.run_id);
   CHECK(checkpoint.header.case_hash == header.case_hash);
+  CHECK(checkpoint.header.case_text == header.case_text);
+  CHECK(checkpoint.header.overrides == header.overrides);
+  CHECK(checkpoint.header.inputs == header.inputs);
+  CHECK(checkpoint.header.seed == header.seed);
   CHECK(checkpoint.header.state_hash == header.state_hash);
   CHECK(checkpoint.header.step == header.step);
   CHECK(checkpoint.header.time == header.time);
@@ -162,7 +170,7 @@ TEST_CASE("a checkpoint of another format version is named as such") {
   const fs::path path = scratch_folder() / "format.ckpt";
   std::string content = written(path);
   content[version_offset] = 7;
-  CHECK(contains(refusal(path, content), "it has version 7, this program reads version 1"));
+  CHECK(contains(refusal(path, content), "it has version 7, this program reads version 2"));
 }
 
 TEST_CASE("a checkpoint of another word size can be described but not resumed") {

@@ -55,6 +55,7 @@ TEST_CASE("rows may hold words and several rows one step") {
   CsvTable table = CsvTable::create(path, crack_columns);
   table.append(7, std::array<CsvCell, 3>{std::int64_t{12}, "tension", 0.5});
   table.append(7, std::array<CsvCell, 3>{std::int64_t{13}, "shear", 1e-9});
+  table.flush();
   CHECK(read_file(path) == "step,contact,mode,energy_J\n7,12,tension,0.5\n7,13,shear,1e-09\n");
   CHECK_THROWS_AS((void)read_csv(path).numbers("mode"), FileError);
   CHECK_THROWS_AS(table.append(8, std::array<CsvCell, 3>{std::int64_t{14}, "a,b", 1.0}), InputError);
@@ -66,6 +67,7 @@ TEST_CASE("a resumed table has the bytes of an undisturbed one") {
   const auto folder = scratch_folder("csv_resume");
   const auto write_rows = [](CsvTable& table, int first, int last) {
     for (int row = first; row <= last; ++row) append(table, 10 * row, 0.1 * row, row / 3);
+    table.flush();
   };
   CsvTable undisturbed = CsvTable::create(folder / "a.csv", columns);
   write_rows(undisturbed, 0, 12);
@@ -86,6 +88,7 @@ TEST_CASE("resume drops a torn row and whatever follows a later step") {
   CsvTable table = CsvTable::resume(path, columns, 20);
   CHECK(read_file(path) == "step,time_s,n_broken\n0,0,0\n10,1,0\n");
   append(table, 20, 2, 1);
+  table.flush();
   CHECK(read_file(path) == "step,time_s,n_broken\n0,0,0\n10,1,0\n20,2,1\n");
 
   write_atomically(path, "step,time_s,n_broken\n0,0,0\n10,1,0\ndamaged by a power failure");
@@ -110,18 +113,38 @@ TEST_CASE("resume refuses a file that is not its own and leaves it alone") {
   }
 }
 
-TEST_CASE("a full disk leaves whole rows and the table usable") {
+TEST_CASE("rows that find no room wait for it, in their order") {
   const auto path = scratch_folder("csv_full") / "a.csv";
   CsvTable table = CsvTable::create(path, columns);
   append(table, 0, 0, 0);
+  table.flush();
   const std::string before = read_file(path);
   {
     const FullDisk full(before.size() + 3);
-    CHECK_THROWS_AS(append(table, 10, 0.125, 77), FileError);
+    for (const int step : {10, 20}) {
+      append(table, step, 0.125, 77);
+      CHECK_THROWS_AS(table.flush(), FileError);
+      CHECK_THROWS_AS(table.sync(), FileError);
+      CHECK(read_file(path) == before);
+    }
+    CHECK(table.n_waiting() == std::string("10,0.125,77\n20,0.125,77\n").size());
   }
-  CHECK(read_file(path) == before);
-  append(table, 10, 0.125, 77);
-  CHECK(read_file(path) == before + "10,0.125,77\n");
+  table.flush();
+  CHECK(table.n_waiting() == 0);
+  append(table, 30, 0.125, 77);
+  table.flush();
+  CHECK(read_file(path) == before + "10,0.125,77\n20,0.125,77\n30,0.125,77\n");
+}
+
+TEST_CASE("a table that is removed or replaced under the run is not written to") {
+  const auto path = scratch_folder("csv_removed") / "a.csv";
+  CsvTable table = CsvTable::create(path, columns);
+  append(table, 0, 0, 0);
+  std::filesystem::remove(path);
+  CHECK_THROWS_AS(table.flush(), FileError);
+  write_atomically(path, "another");
+  CHECK_THROWS_AS(table.sync(), FileError);
+  CHECK(read_file(path) == "another");
 }
 
 TEST_CASE("tables that cannot be written or read say so") {

@@ -16,10 +16,15 @@ using ligament::FileError;
 using ligament::read_file;
 using ligament::test::scratch_folder;
 
-void output(FieldSeries& series, std::int64_t step) {
+void add(FieldSeries& series, std::int64_t step) {
   const double time_s = 0.1 * static_cast<double>(step);
-  ligament::write_vtkhdf(series.file_of(step), {"particles", CellType::vertex, {0, 0, 0}, {0}, {}, {}}, step, time_s);
-  series.add(step, time_s);
+  const ligament::FieldGroup group{"particles", CellType::vertex, {0, 0, 0}, {0}, {}, {}};
+  series.add(step, time_s, ligament::vtkhdf_image(series.file_of(step), group, step, time_s));
+}
+
+void output(FieldSeries& series, std::int64_t step) {
+  add(series, step);
+  series.flush();
 }
 
 TEST_CASE("the list is what ParaView reads") {
@@ -35,7 +40,7 @@ TEST_CASE("the list is what ParaView reads") {
   CHECK(list["files"][1]["time"] == 12.0);
   CHECK(list["files"][1]["step"] == 120);
   CHECK(list["files"][2]["name"] == "particles_12345678.hdf");
-  CHECK_THROWS_AS(series.add(120, 12.0), std::logic_error);
+  CHECK_THROWS_AS(series.add(120, 12.0, ""), std::logic_error);
 }
 
 TEST_CASE("a resumed series has the bytes of an undisturbed one and no later files") {
@@ -59,6 +64,30 @@ TEST_CASE("a resumed series has the bytes of an undisturbed one and no later fil
   for (const std::string& name : foreign) CHECK(std::filesystem::exists(folder_b / name));
   for (const int step : {7, 9}) output(resumed, step);
   CHECK(read_file(folder_a / "particles.hdf.series") == read_file(folder_b / "particles.hdf.series"));
+}
+
+TEST_CASE("fields that find no room wait for it, and the list names what is there") {
+  const auto folder = scratch_folder("series_full");
+  FieldSeries undisturbed(scratch_folder("series_room"), "particles");
+  FieldSeries series(folder, "particles");
+  for (const int step : {0, 3, 7}) output(undisturbed, step);
+  output(series, 0);
+  const std::string list = read_file(folder / "particles.hdf.series");
+  {
+    const ligament::test::FullDisk full(2048);
+    for (const int step : {3, 7}) {
+      add(series, step);
+      CHECK_THROWS_AS(series.flush(), FileError);
+      CHECK_FALSE(std::filesystem::exists(series.file_of(step)));
+    }
+    CHECK(read_file(folder / "particles.hdf.series") == list);
+  }
+  CHECK(series.n_waiting() == 2 * read_file(series.file_of(0)).size());
+  series.flush();
+  CHECK(series.n_waiting() == 0);
+  for (const int step : {0, 3, 7}) CHECK(read_file(series.file_of(step)) == read_file(undisturbed.file_of(step)));
+  CHECK(read_file(folder / "particles.hdf.series") ==
+        read_file(undisturbed.file_of(0).parent_path() / "particles.hdf.series"));
 }
 
 TEST_CASE("a series starts anew after step -1 and refuses damaged files and missing folders") {

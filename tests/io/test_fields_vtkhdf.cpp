@@ -19,7 +19,7 @@ using ligament::FileError;
 using ligament::Hdf5Handle;
 using ligament::read_field_stamp;
 using ligament::read_file;
-using ligament::write_vtkhdf;
+using ligament::vtkhdf_image;
 using ligament::test::FullDisk;
 using ligament::test::scratch_folder;
 
@@ -33,6 +33,10 @@ FieldGroup two_elements() {
   group.cell_data.push_back({"stress", "Pa", 3, Numbers{1, 2, 3, 4, 5, 6}});
   group.cell_data.push_back({"material", "1", 1, Integers{7, 9'007'199'254'740'993}});
   return group;
+}
+
+void write_vtkhdf(const std::filesystem::path& path, const FieldGroup& group, std::int64_t step, double time_s) {
+  ligament::write_atomically(path, vtkhdf_image(path, group, step, time_s));
 }
 
 FieldGroup no_contacts() {

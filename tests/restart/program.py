@@ -9,6 +9,7 @@ import unittest
 from pathlib import Path
 
 PROGRAM = os.environ["LIGAMENT"]
+FAULTY_DISK = os.environ["FAULTY_DISK"]
 ROOT = Path(__file__).resolve().parents[2]
 CONFIG = ROOT / "config"
 COLUMNS = [CONFIG / f"column_{name}.toml" for name in ("fem", "hexagonal_h1", "hexagonal_h2", "random_r2")]
@@ -24,6 +25,13 @@ def settings(**values):
 
 # Keeps a column from converging, so that it goes on to its last step.
 ENDLESS = settings(solver__unbalanced_force_ratio=1e-300)
+
+
+def faulty_disk(**values):
+    """Options of a process whose disk is slow or fails; faulty_disk.c says what can be set."""
+    more = {f"FAULTY_DISK_{name.upper()}": str(value) for name, value in values.items()}
+    # Sanitizers want to be loaded first, but do not need to.
+    return {"env": {**os.environ, "LD_PRELOAD": FAULTY_DISK, "ASAN_OPTIONS": "verify_asan_link_order=0", **more}}
 
 
 def scratch_parent():

@@ -110,30 +110,16 @@ class FullDisk(ProgramTest):
             elif name.endswith(".series"):
                 json.loads(content)
 
-    def block_checkpoints(self):
-        """Options of a run whose checkpoints cannot be written: a file stands where their folder should be."""
-        (self.folder / "blocked").touch()
-        return [*CASE, *settings(checkpoint__folder=f'"{self.folder / "blocked"}"'), "--output", "run"]
-
-    def test_a_checkpoint_that_cannot_be_written_does_not_end_the_run(self):
-        self.call("run", *CASE, "--output", "whole")
-        _, err = self.call("run", *self.block_checkpoints())
-        self.assertEqual(err.count("no checkpoint written: "), 11)
-        self.assertIn("warning: step 20: no checkpoint written: ", err)
-        self.assertEqual(self.final_hash("run"), self.final_hash("whole"))
-        self.assert_same_results("run", "whole")
-
-    def test_a_stop_without_its_checkpoint_is_an_error(self):
-        _, err = self.call("run", *self.block_checkpoints(), "--stop-after-steps", 100, expect=FILE_ERROR)
-        self.assertIn("step 100: stopped without a checkpoint", err)
-
-    def test_results_that_find_no_room_end_the_run_and_are_resumed(self):
+    def test_results_that_find_no_room_to_the_end_are_resumed(self):
         case = [COLUMNS[0], *settings(solver__method="dynamic_relaxation", output__every=1, checkpoint__every=10)]
         self.call("run", *case, "--output", "whole", "--quiet")
         checkpoint_size = max(file.stat().st_size for file in self.checkpoints("whole"))
         history_size = len(self.results("whole")["history.csv"])
         self.assertGreater(history_size, 2 * checkpoint_size)
         out, err = self.call("run", *case, "--output", "run", expect=FILE_ERROR, **self.limit(history_size // 2))
+        self.assertIn("results wait in memory for the next try: cannot write", err)
+        self.assertIn("the run is at its end, and results could not be written", err)
+        self.assertIn(f"last good checkpoint: {self.checkpoints('run')[-1]}", err)
         self.assertIn("File too large", err)
         self.assertIn("ligament resume", err)
         self.assertIn("File too large", (self.folder / "run" / "run.log").read_text())

@@ -43,7 +43,7 @@ class Inputs(ProgramTest):
     def test_a_changed_copy_is_refused(self):
         self.generate("half/inputs/1.h5", seed=2)
         _, err = self.call("resume", "half", "--quiet", expect=WRONG_INPUT)
-        self.assertIn("a file in its inputs/, is not the one the checkpoints were written with", err)
+        self.assertIn("inputs/ of the run directory is not the one the checkpoints were written with", err)
 
     def test_a_copy_that_is_gone_or_damaged_is_refused(self):
         copy = self.folder / "half" / "inputs" / "1.h5"

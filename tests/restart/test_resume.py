@@ -217,7 +217,7 @@ schedule = { time = ["0 s", "1 s", "2 s", "3 s"], displacement = ["0 um", "10 um
         before = self.results("run")
         case.write_text(original.replace('young_modulus = "1 MPa"', 'young_modulus = "2 MPa"'))
         _, err = self.call("resume", "run", expect=WRONG_INPUT)
-        self.assertIn("must not change between run and resume", err)
+        self.assertIn('material.rock.young_modulus: "1e+06 Pa" in the run, "2e+06 Pa" now', err)
         self.assertEqual(self.results("run"), before)
         case.write_text(original.replace("# Contacts that come", "# Only a comment"))
         self.call("resume", "run", "--quiet")

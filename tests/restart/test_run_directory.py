@@ -5,7 +5,8 @@ import json
 import signal
 import unittest
 
-from program import CONFIG, DONE, FALLING_BLOCK, FILE_ERROR, NOT_CONVERGED, TERMINATED, WRONG_INPUT, ProgramTest, settings
+from program import (
+    CONFIG, DONE, FALLING_BLOCK, FILE_ERROR, NOT_CONVERGED, TERMINATED, WRONG_INPUT, ProgramTest, faulty_disk, settings)
 
 SHORT = [FALLING_BLOCK, "--quiet", *settings(solver__max_steps=40)]
 
@@ -134,6 +135,24 @@ class RunDirectory(ProgramTest):
         self.assertEqual(process.returncode, TERMINATED)
         self.call("resume", "run", "--until-step", self.summary("run")["steps"] + 10, expect=DONE)
         self.assertEqual(self.unfinished(), [])
+
+    def test_a_dead_process_holds_no_lock(self):
+        process = self.start("run", FALLING_BLOCK, *settings(solver__max_steps=10**9), "--output", "run")
+        while "       100  " not in process.stdout.readline():
+            pass
+        process.kill()
+        process.wait()
+        self.call("resume", "run", "--until-step", 300)
+        self.call("run", *SHORT, "--output", "run", "--overwrite")
+
+    def test_of_many_processes_one_resumes_a_run(self):
+        self.call("run", *SHORT, "--output", "whole")
+        self.call("run", *SHORT, "--output", "run", "--stop-after-steps", 20)
+        racers = [self.start("resume", "run", "--quiet", **faulty_disk(delay_us=2000)) for _ in range(6)]
+        codes = [racer.communicate() and racer.returncode for racer in racers]
+        self.assertIn(DONE, codes)
+        self.assertLessEqual(set(codes), {DONE, WRONG_INPUT})
+        self.assert_same_results("run", "whole")
 
 
 if __name__ == "__main__":

@@ -3,10 +3,13 @@
 
 import os
 import pty
+import shutil
 import signal
+import time
 import unittest
 
-from program import DONE, FALLING_BLOCK, INTERRUPTED, PROGRAM, TERMINATED, ProgramTest, settings
+from program import (
+    DONE, FALLING_BLOCK, INTERRUPTED, PROGRAM, TERMINATED, ProgramTest, faulty_disk, settings)
 
 # Long enough that it never ends by itself, and without checkpoints of its own after the first.
 ENDLESS = [FALLING_BLOCK, *settings(solver__max_steps=10**9, checkpoint__every=10**9, output__every=50)]
@@ -65,6 +68,32 @@ class Signals(ProgramTest):
         self.assertEqual(len(self.checkpoints("run")), 2)
         self.wait_for(process, "00  ")
         self.check_resumed(self.stop(process, signal.SIGTERM, TERMINATED))
+
+    def test_two_signals_in_a_row(self):
+        for first, second, codes in (
+                (signal.SIGTERM, signal.SIGTERM, (TERMINATED,)), (signal.SIGINT, signal.SIGINT, (INTERRUPTED,)),
+                (signal.SIGINT, signal.SIGTERM, (INTERRUPTED, TERMINATED)),
+                (signal.SIGUSR1, signal.SIGTERM, (TERMINATED,))):
+            with self.subTest(signals=(first.name, second.name)):
+                # So slow a disk that the second signal comes while the first is acted on.
+                process = self.start("run", *ENDLESS, "--output", "run", **faulty_disk(delay_us=2000))
+                self.wait_for(process, "       100  ")
+                process.send_signal(first)
+                time.sleep(0.01)
+                process.send_signal(second)
+                _, err = process.communicate(timeout=60)
+                self.assertIn(process.returncode, codes, err)
+                self.check_resumed(self.summary("run")["steps"])
+                shutil.rmtree(self.folder / "run")
+                shutil.rmtree(self.folder / "whole")
+
+    def test_a_batch_system_that_terminates_and_later_kills(self):
+        process = self.start_endless()
+        process.send_signal(signal.SIGTERM)
+        # It would wait 30 s.
+        process.wait(timeout=15)
+        self.assertEqual(process.returncode, TERMINATED)
+        self.check_resumed(self.summary("run")["steps"])
 
     def test_no_control_characters_in_files_and_pipes(self):
         out, err = self.call("run", FALLING_BLOCK, "--output", "run")

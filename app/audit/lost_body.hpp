@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "core/model.hpp"
+#include "core/state.hpp"
+
+namespace ligament {
+
+/// How far bodies may move in one step (m), or turn (rad).
+/// choice: particles by the smallest diameter, nodes by the shortest edge of an element. A stable step moves a body
+/// that far only if it is as fast as sound; what is faster passes its neighbours before the search sees them.
+struct StepLimits {
+  double particle_travel = 0.0;
+  double node_travel = 0.0;
+  double turn = 3.0;
+};
+StepLimits step_limits(const Model& model);
+
+/// Whether all bodies have moved within the limits since contacts last stored their state; a number that is not finite
+/// is beyond any.
+bool are_within(const State& state, const StepLimits& limits);
+
+/// The first body with a number that is not finite, where it is, and which of its contacts or elements has the largest
+/// force or stress; empty if all are finite.
+std::string describe_infinite_body(const Model& model, const State& state);
+
+/// The same for the first body that is not finite or beyond the limits.
+std::string describe_lost_body(const Model& model, const State& state, const StepLimits& limits);
+
+}  // namespace ligament

@@ -129,7 +129,7 @@ Sweep parse_sweep(const std::string& text) {
   if (sweep.values.empty() || !has_all) {
     throw InputError(fmt::format("--sweep '{}': expected key=value,value,…, such as solver.increment=1 um,2 um", text));
   }
-  for (const std::string& value : sweep.values) static_cast<void>(parse_override(key + "=" + value));
+  for (const std::string& value : sweep.values) static_cast<void>(parse_override(fmt::format("{}={}", key, value)));
   return sweep;
 }
 

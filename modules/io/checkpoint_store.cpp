@@ -105,22 +105,32 @@ void CheckpointStore::remove_interrupted_writes() const {
 
 // Newer files than the one just written are left alone: the run was taken up again from an older state, and what it
 // did not reach yet is for the user to judge. A file that can't be removed costs disk space, not the run.
-void CheckpointStore::remove_older_than_kept(const fs::path& written) const {
+void CheckpointStore::remove_older_than_kept(const fs::path& written) {
   int n_good = 1;
   for (const auto& path : list()) {
     if (step_of(path) < step_of(written) && is_good(path) && ++n_good > keep_) {
       std::error_code ignored;
       fs::remove(path, ignored);
+      good_.erase(path);
     }
   }
 }
 
-bool CheckpointStore::is_good(const fs::path& path) const {
+bool CheckpointStore::is_good(const fs::path& path) {
+  std::error_code error;
+  const fs::file_time_type changed = fs::last_write_time(path, error);
+  if (error) return false;
+  const auto known = good_.find(path);
+  // Reading a large file at every write takes longer than writing it.
+  if (known != good_.end() && known->second == changed) return true;
+  good_.erase(path);
   try {
-    return read_checkpoint_header(path).run_id == run_id_;
+    if (read_checkpoint_header(path).run_id != run_id_) return false;
   } catch (const FileError&) {
     return false;
   }
+  good_[path] = changed;
+  return true;
 }
 
 }  // namespace ligament

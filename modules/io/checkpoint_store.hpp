@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,12 +35,14 @@ class CheckpointStore {
 
  private:
   void remove_interrupted_writes() const;
-  void remove_older_than_kept(const std::filesystem::path& written) const;
-  [[nodiscard]] bool is_good(const std::filesystem::path& path) const;
+  void remove_older_than_kept(const std::filesystem::path& written);
+  /// Whether it is one of this run, read once unless it changes.
+  [[nodiscard]] bool is_good(const std::filesystem::path& path);
 
   std::filesystem::path folder_;
   std::string run_id_;
   int keep_;
+  std::map<std::filesystem::path, std::filesystem::file_time_type> good_;  ///< those read, and when they were written
 };
 
 }  // namespace ligament

@@ -35,9 +35,10 @@ void EquilibriumCriterion::declare(Parameters& parameters) {
   parameters.integer("most_evaluations", most_evaluations, "an increment that takes more is cut to a smaller one")
       .at_least(10);
   parameters
-      .integer("most_live_evaluations", most_live_evaluations,
-               "an increment cut as far as it may be lets contacts take their history along while it is relaxed; the run "
-               "ends if that takes more; 0: it ends at once")
+      .integer(
+          "most_live_evaluations", most_live_evaluations,
+          "an increment cut as far as it may be lets contacts take their history along while it is relaxed; the run "
+          "ends if that takes more; 0: it ends at once")
       .at_least(0);
 }
 

@@ -25,14 +25,14 @@ struct EquilibriumCriterion {
   double force_mismatch = 1e-3;   ///< of external forces, over the running peak
   std::int64_t settled_evaluations = 3;
   std::int64_t most_evaluations = 3000;
-  std::int64_t most_live_evaluations = 30000;
+  std::int64_t most_live_evaluations = 100000;
 
   void declare(class Parameters& parameters);
 };
 
 /// An increment of loading under way. While its equilibrium is searched for, forces are functions of what contacts
-/// remember of the last equilibrium and of the motion since then, so that the search leaves no trace. In a live increment
-/// contacts take their history along with every motion instead, and are found and dropped on the way.
+/// remember of the last equilibrium and of the motion since then, so that the search leaves no trace. In a live
+/// increment contacts take their history along with every motion instead, and are found and dropped on the way.
 class Increment {
  public:
   /// Begins at the state, which is an equilibrium.

@@ -11,8 +11,8 @@ namespace {
 
 /// The work along the straight line from the last equilibrium to this one, on which the contacts, too, take their
 /// history from one to the other.
-ForceWork line_work(Increment& increment, const std::vector<double>& motion, const ForceWork& begin, const ForceWork& end,
-               std::size_t fewest_intervals) {
+ForceWork line_work(Increment& increment, const std::vector<double>& motion, const ForceWork& begin,
+                    const ForceWork& end, std::size_t fewest_intervals) {
   State& state = increment.state();
   const double time = state.clock.time;
   const ParticleState particles = state.particles;

@@ -36,8 +36,8 @@ std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freed
   return result;
 }
 
-/// A disc that cannot turn, between a floor with friction, a smooth ceiling and a smooth stop on its right. In the first
-/// stage the ceiling presses it down, in the second the floor drags it against the stop, until it slides.
+/// A disc that cannot turn, between a floor with friction, a smooth ceiling and a smooth stop on its right. In the
+/// first stage the ceiling presses it down, in the second the floor drags it against the stop, until it slides.
 struct DraggedBlock {
   Simulation simulation;
 

@@ -92,11 +92,13 @@ void Simulation::step() {
 }
 
 bool Simulation::increment() {
-  modules_.contact_detector->update(model_, state_);  // update set of contacts
+  const auto update_contacts = [this] { modules_.contact_detector->update(model_, state_); };
+  update_contacts();
   return modules_.loading->advance(model_, state_,
                                    {.add_forces = [this] { add_forces(); },
                                     .add_applied_loads = [this] { add_applied_loads(); },
                                     .internal = [this] { return internal_forces(); },
+                                    .update_contacts = update_contacts,
                                     .is_interrupted = is_interrupted_,
                                     .observer = observer_});
 }

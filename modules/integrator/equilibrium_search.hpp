@@ -18,6 +18,8 @@ class EquilibriumSearch {
 
   /// Finds the equilibrium of a step of pseudo-time (s). False if it does not settle before the increment is exhausted.
   virtual bool find(Increment& increment, double step) = 0;
+  /// The same in a live increment. False also if it knows no way to do so.
+  virtual bool find_live(Increment& /*increment*/, double /*step*/) { return false; }
 };
 
 }  // namespace ligament

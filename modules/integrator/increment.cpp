@@ -34,6 +34,12 @@ void EquilibriumCriterion::declare(Parameters& parameters) {
       .at_least(1);
   parameters.integer("most_evaluations", most_evaluations, "an increment that takes more is cut to a smaller one")
       .at_least(10);
+  parameters
+      .integer(
+          "most_live_evaluations", most_live_evaluations,
+          "an increment cut as far as it may be lets contacts take their history along while it is relaxed; the run "
+          "ends if that takes more; 0: it ends at once")
+      .at_least(0);
 }
 
 Increment::Increment(const Model& model, State& state, const ForceEvaluation& evaluation,
@@ -45,9 +51,7 @@ Increment::Increment(const Model& model, State& state, const ForceEvaluation& ev
       freedoms_(freedoms),
       observer_(evaluation.observer),
       free_(free_mask(model)) {
-  state.particles.translation.increment.assign(model.particles.size(), Vector{});
-  state.particles.rotation.increment.assign(model.particles.size(), 0.0);
-  state.nodes.translation.increment.assign(model.nodes.size(), Vector{});
+  clear_increments();
   start_.time = state.clock.time;
   start_.contacts.take(state);
   start_.particles = state.particles;
@@ -56,7 +60,18 @@ Increment::Increment(const Model& model, State& state, const ForceEvaluation& ev
   start_.loads = applied_loads();
 }
 
+void Increment::clear_increments() {
+  state_.particles.translation.increment.assign(model_.particles.size(), Vector{});
+  state_.particles.rotation.increment.assign(model_.particles.size(), 0.0);
+  state_.nodes.translation.increment.assign(model_.nodes.size(), Vector{});
+}
+
 void Increment::restore() {
+  if (is_live()) {
+    state_ = *std::move(before_);
+    before_.reset();
+    return;
+  }
   state_.clock.time = start_.time;
   start_.contacts.put_back(state_);
   state_.particles = start_.particles;
@@ -68,15 +83,39 @@ void Increment::go_to(double step) {
   n_settled_ = 0;
   state_.clock.time = start_.time + step;
   loads_ = applied_loads();
+  if (!is_live()) return;
+  // Loads that come before anything moves do no work.
+  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] = start_.forces[i] + (loads_[i] - start_.loads[i]);
+}
+
+void Increment::go_live() {
+  before_ = state_;
+  way_.assign(free_.size(), 0.0);
+  work_on_the_way_ = {};
 }
 
 void Increment::move(const std::vector<double>& motion) {
+  if (is_live()) return move_live(motion);
   move_bodies(motion, state_);
   start_.contacts.put_back(state_);
   evaluation_.add_forces();
   forces_ = all_forces(model_, state_);
   ++n_evaluations_;
 }
+
+void Increment::move_live(const std::vector<double>& motion) {
+  clear_increments();
+  move_bodies(motion, state_);
+  evaluation_.update_contacts();
+  evaluation_.add_forces();
+  const std::vector<double> before = std::move(forces_);
+  forces_ = all_forces(model_, state_);
+  work_on_the_way_ += 0.5 * (work_of(free_, motion, before, loads_) + work_of(free_, motion, forces_, loads_));
+  for (std::size_t i = 0; i < way_.size(); ++i) way_[i] += motion[i];
+  ++n_evaluations_;
+}
+
+std::vector<double> Increment::motion() const { return is_live() ? way_ : all_increments(model_, state_); }
 
 void Increment::go_along(const std::vector<double>& motion, double end_time, double share) {
   state_.particles = start_.particles;
@@ -98,7 +137,8 @@ bool Increment::has_settled() {
 }
 
 bool Increment::is_exhausted() const {
-  return n_evaluations_ >= criterion_.most_evaluations || evaluation_.is_interrupted();
+  const std::int64_t most = is_live() ? criterion_.most_live_evaluations : criterion_.most_evaluations;
+  return n_evaluations_ >= most || evaluation_.is_interrupted();
 }
 
 std::vector<double> Increment::applied_loads() {

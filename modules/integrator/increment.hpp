@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "core/contact_memory.hpp"
 #include "core/force_provider.hpp"
+#include "integrator/force_work.hpp"
 #include "integrator/prescribed_motion.hpp"
 
 namespace ligament {
@@ -20,6 +22,7 @@ struct ForceEvaluation {
   std::function<void()> add_forces;           ///< resultants of all bodies, contacts from their memory
   std::function<void()> add_applied_loads;    ///< resultants of the applied loads alone, in place of the others
   std::function<ForceMagnitudes()> internal;  ///< see ForceProvider::internal_forces()
+  std::function<void()> update_contacts;      ///< finds new contacts and drops old ones if bodies have moved far
   std::function<bool()> is_interrupted;       ///< whether to give up
   IncrementObserver observer = {};
 };
@@ -30,12 +33,14 @@ struct EquilibriumCriterion {
   double force_mismatch = 1e-3;   ///< of external forces, over the running peak
   std::int64_t settled_evaluations = 3;
   std::int64_t most_evaluations = 3000;
+  std::int64_t most_live_evaluations = 100000;
 
   void declare(class Parameters& parameters);
 };
 
 /// An increment of loading under way. While its equilibrium is searched for, forces are functions of what contacts
-/// remember of the last equilibrium and of the motion since then, so that the search leaves no trace.
+/// remember of the last equilibrium and of the motion since then, so that the search leaves no trace. In a live
+/// increment contacts take their history along with every motion instead, and are found and dropped on the way.
 class Increment {
  public:
   /// Begins at the state, which is an equilibrium.
@@ -46,6 +51,8 @@ class Increment {
   void restore();
   /// Pseudo-time goes by a step (s) from the last equilibrium, and loads with it; evaluations are counted from here.
   void go_to(double step);
+  /// Lets the increment live from here, the last equilibrium, on.
+  void go_live();
   /// Moves all bodies and evaluates their forces.
   void move(const std::vector<double>& motion);
   /// Goes to a place on the straight line from the last equilibrium; `motion` is the whole way.
@@ -65,6 +72,11 @@ class Increment {
   [[nodiscard]] const ForceEvaluation& evaluation() const { return evaluation_; }
   /// How far prescribed freedoms move in a step of pseudo-time; zero elsewhere.
   [[nodiscard]] std::vector<double> prescribed_motion(double step) const;
+  /// From the last equilibrium to here, all freedoms.
+  [[nodiscard]] std::vector<double> motion() const;
+  [[nodiscard]] bool is_live() const { return before_.has_value(); }
+  /// From the last equilibrium to here along the way of a live increment.
+  [[nodiscard]] const ForceWork& work_on_the_way() const { return work_on_the_way_; }
   /// 1 for free freedoms.
   [[nodiscard]] const std::vector<double>& free() const { return free_; }
   /// At the last evaluation, of all freedoms.
@@ -89,6 +101,8 @@ class Increment {
     std::vector<double> loads;
   };
 
+  void clear_increments();
+  void move_live(const std::vector<double>& motion);
   [[nodiscard]] std::vector<double> applied_loads();
   [[nodiscard]] bool is_in_equilibrium();
 
@@ -105,6 +119,10 @@ class Increment {
   double through_force_ = 0.0;
   std::int64_t n_evaluations_ = 0;
   std::int64_t n_settled_ = 0;
+  // Of a live increment.
+  std::optional<State> before_;  ///< the last equilibrium, with the contacts that it has
+  std::vector<double> way_;      ///< from there to here
+  ForceWork work_on_the_way_;
 };
 
 }  // namespace ligament

@@ -18,7 +18,7 @@ constexpr std::int64_t most_evaluations_of_smooth_increment = 150;
 constexpr double cut = 0.3;
 
 void remember_direction(const Increment& increment, double step, LoadingState& loading) {
-  loading.direction = all_increments(increment.model(), increment.state());
+  loading.direction = increment.motion();
   for (std::size_t i = 0; i < loading.direction.size(); ++i) loading.direction[i] *= increment.free()[i];
   loading.direction_step = step;
 }
@@ -64,16 +64,22 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
   double step = state.loading.step > 0.0 ? std::min(wanted, 2.0 * state.loading.step) : wanted;
   if (search_->extrapolates() && state.loading.direction.empty()) find_direction(increment, wanted);
   for (;;) {
-    if (search_->find(increment, step)) {
-      accept(increment, step);
-      // Beyond a corner everything moves another way.
-      if (segment_at(state).begin != segment.begin) state.loading.direction.clear();
-      return true;
-    }
+    if (search_->find(increment, step)) break;
     increment.restore();
-    step *= cut;
-    if (!(step > smallest_share_ * wanted) || evaluation.is_interrupted()) return false;
+    if (evaluation.is_interrupted()) return false;
+    if (cut * step > smallest_share_ * wanted) {
+      step *= cut;
+      continue;
+    }
+    increment.go_live();
+    if (search_->find_live(increment, step)) break;
+    increment.restore();
+    return false;
   }
+  accept(increment, step);
+  // Beyond a corner everything moves another way.
+  if (segment_at(state).begin != segment.begin) state.loading.direction.clear();
+  return true;
 }
 
 void IncrementalLoading::find_direction(Increment& increment, double wanted) {

@@ -27,23 +27,39 @@ bool MomentumRelaxation::find(Increment& increment, double step) {
     for (std::size_t i = 0; i < motion.size(); ++i) motion[i] += scale * loading.direction[i];
   }
   increment.move(motion);
+  return relax(increment, {}, 0);
+}
 
-  std::vector<double> momenta(motion.size(), 0.0);
-  std::vector<double> free_before = free_forces(increment.model(), increment.state());
+bool MomentumRelaxation::find_live(Increment& increment, double step) {
+  // A platen that moves all at once would hit what it touches.
+  constexpr std::int64_t n_parts = 100;
+  increment.go_to(step);
+  std::vector<double> part = increment.prescribed_motion(step);
+  for (double& value : part) value /= n_parts;
+  return relax(increment, part, n_parts);
+}
+
+bool MomentumRelaxation::relax(Increment& increment, const std::vector<double>& part, std::int64_t n_parts) {
+  const Model& model = increment.model();
+  std::vector<double> momenta(increment.free().size(), 0.0);
+  std::vector<double> free_before = free_forces(model, increment.state());
   std::vector<double> free_now = free_before;
   // At rest the first half of the step has no time to act.
   double damping = 2.0;
-  do {
+  for (std::int64_t n = 1;; ++n) {
     if (increment.is_exhausted()) return false;
     update_momenta(momenta, free_now, damping);
-    motion = mass_->velocities(momenta);
+    std::vector<double> motion = mass_->velocities(momenta);
+    if (n <= n_parts) {
+      for (std::size_t i = 0; i < motion.size(); ++i) motion[i] += part[i];
+    }
     increment.move(motion);
     increment.show(0.5 * product(motion, momenta));
     free_before = std::move(free_now);
-    free_now = free_forces(increment.model(), increment.state());
+    free_now = free_forces(model, increment.state());
     damping = adaptive_damping(motion, momenta, free_now, free_before, bounds_);
-  } while (!increment.has_settled());
-  return true;
+    if (increment.has_settled() && n >= n_parts) return true;
+  }
 }
 
 }  // namespace ligament

@@ -16,8 +16,12 @@ class MomentumRelaxation : public EquilibriumSearch {
   void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) override;
   [[nodiscard]] bool extrapolates() const override { return true; }
   bool find(Increment& increment, double step) override;
+  bool find_live(Increment& increment, double step) override;
 
  private:
+  /// Relaxes free freedoms, while prescribed ones still take so many parts of their motion.
+  bool relax(Increment& increment, const std::vector<double>& part, std::int64_t n_parts);
+
   DampingBounds bounds_;
   std::optional<double> coarse_cell_;
   std::optional<TwoLevelMass> mass_;

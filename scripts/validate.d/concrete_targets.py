@@ -19,5 +19,8 @@ TENSION = {
     4: {"strength": 3.28, "energy": "57.3", "check": "2.82-2.95 MPa, 62-77 N/m"},
     5: {"strength": 2.74, "energy": "—", "check": "2.74-2.86 MPa, 55-61 N/m"},
 }
+# Compression: strength (MPa), and the range of three assemblies of a separate implementation.
+COMPRESSION = {4: {"strength": 37.2, "check": "31.9-32.2 MPa"}, 5: {"strength": 30.4, "check": "27.0-27.3 MPa"}}
+PEAK_CHANGE_TOLERANCE = 0.01  # with half the increment, or a quarter of the unbalanced forces
 STRENGTH_TOLERANCE = {5: 0.08}
 LEDGER_TOLERANCE = 1e-3

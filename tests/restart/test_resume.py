@@ -117,6 +117,24 @@ schedule = { time = ["0 s", "1 s", "2 s", "3 s"], displacement = ["0 um", "10 um
                 self.assertEqual(self.final_hash(f"{law}_2"), self.final_hash(f"{law}_1"))
                 self.assert_same_results(f"{law}_2", f"{law}_1")
 
+    def test_a_live_increment_survives_a_stop_before_and_after_it(self):
+        # The specimen is crushed: it fails in an increment that settles only while contacts live.
+        crushed = settings(motion__pull__displacement='"-148 um"', motion__pull_apart__displacement='"4 um"',
+                           solver__increment='"4 um"', solver__most_evaluations=200, solver__smallest_share=1.0)
+        run = [TENSION, "--quiet", *crushed]
+        self.call("run", *run, "--output", "whole")
+        rows = (self.folder / "whole" / "history.csv").read_text().splitlines()[1:]
+        loads = [-float(row.split(",")[3]) for row in rows]
+        failure = next(step for step, load in enumerate(loads) if step > 10 and load < 0.1 * max(loads))
+        self.assertLess(failure, len(loads) - 3)
+        self.call("run", *run, "--output", "pieces", "--stop-after-steps", failure - 1)
+        for step in (failure, failure + 1):
+            self.call("resume", "pieces", "--quiet", "--until-step", step)
+        self.call("resume", "pieces", "--quiet", "--threads", 2)
+        self.assertEqual(self.final_hash("pieces"), self.final_hash("whole"))
+        self.assert_same_results("pieces", "whole")
+        self.assertGreater(self.summary("whole")["n_broken"], 100)
+
     def test_breaks_are_recorded_and_counted_once(self):
         # Contacts that break leave the list when they have opened by so little.
         run = [TENSION, "--quiet", *settings(contact__skin='"2 um"', output__fields_every=10)]

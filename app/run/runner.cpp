@@ -310,14 +310,7 @@ void Runner::check_finite() {
   if (!body.empty()) throw DivergenceError(fmt::format("step {}: {}", step(), body));
 }
 
-ExitCode Runner::finish(Ending ending) {
-  if (ending == Ending::diverged) {
-    write_results();
-  } else if (!failed_write_.empty()) {
-    throw FileError(
-        fmt::format("step {}: the run is at its end, and results could not be written: {}; last good checkpoint: {}",
-                    step(), failed_write_, last_checkpoint_));
-  }
+bool Runner::summarize(Ending ending) {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
   RunSummary summary{.ending = ending, .wall_time = seconds, .reached = reached_, .divergence = divergence_};
   if (step_audit_) {
@@ -326,11 +319,30 @@ ExitCode Runner::finish(Ending ending) {
   }
   const bool audit_passed = write_summary(input_, built_, directory_, summary);
   console_.line(describe_ending(input_, built_, summary, audit_passed));
-  if (ending == Ending::diverged) {
-    throw DivergenceError(fmt::format("{}; time step {} s, limited by {}; last good checkpoint: {}", divergence_,
-                                      built_.simulation.state().clock.time_step, built_.simulation.limiting_body(),
-                                      last_checkpoint_));
+  return audit_passed;
+}
+
+void Runner::end_diverged() {
+  try {
+    write_results();
+    summarize(Ending::diverged);
+  } catch (const FileError& error) {
+    // That the run diverged is what is to be told.
+    console_.warning(error.what());
   }
+  throw DivergenceError(fmt::format("{}; time step {} s, limited by {}; last good checkpoint: {}", divergence_,
+                                    built_.simulation.state().clock.time_step, built_.simulation.limiting_body(),
+                                    last_checkpoint_));
+}
+
+ExitCode Runner::finish(Ending ending) {
+  if (ending == Ending::diverged) end_diverged();
+  if (!failed_write_.empty()) {
+    throw FileError(
+        fmt::format("step {}: the run is at its end, and results could not be written: {}; last good checkpoint: {}",
+                    step(), failed_write_, last_checkpoint_));
+  }
+  const bool audit_passed = summarize(ending);
   console_.line(fmt::format("results: {}", directory_.path().string()));
   if (!is_final(ending)) {
     if (checkpoint_step_ != step()) throw FileError(fmt::format("step {}: stopped without a checkpoint", step()));

@@ -63,6 +63,9 @@ class Runner {
   /// The same, but a run goes on that cannot save its state.
   void save_checkpoint(bool is_asked_for);
   void check_finite();
+  /// Writes summary.json and tells how the run ended; whether the audit is passed.
+  bool summarize(Ending ending);
+  [[noreturn]] void end_diverged();
   ExitCode finish(Ending ending);
   [[nodiscard]] bool is_due(std::int64_t every) const { return step() % every == 0; }
   [[nodiscard]] std::int64_t step() const { return built_.simulation.state().clock.step; }

@@ -56,12 +56,14 @@ TEST_CASE("a bond pulled apart is a row of the table, once") {
   CrackRecord record(path, simulation);
   move(simulation, 3, {1e-4, 0.0});
   record.observe(simulation);
+  record.table().flush();
   CHECK(read_csv(path).rows.empty());
 
   // The last of the discs: one bond breaks.
   move(simulation, 3, {4e-4, 0.0});
   record.observe(simulation);
   record.observe(simulation);
+  record.table().flush();
   const CsvContent table = read_csv(path);
   REQUIRE(table.rows.size() == 1);
   CHECK(table.numbers("step")[0] == 2);
@@ -92,6 +94,7 @@ TEST_CASE("a disc pushed across breaks its bonds in shear") {
   CrackRecord record(path, simulation);
   move(simulation, 3, {0.0, 2e-3});
   record.observe(simulation);
+  record.table().flush();
   const CsvContent table = read_csv(path);
   REQUIRE(table.rows.size() == 1);
   CHECK(table.rows[0][table.column_index("mode")] == "shear");
@@ -114,8 +117,10 @@ TEST_CASE("breaks stay counted when their contacts leave the list, and a resumed
   const auto observe = [&] {
     const State before = simulation.state();
     record->observe(simulation);
+    record->table().flush();
     simulation.restore(before);
     whole.observe(simulation);
+    whole.table().flush();
   };
   move(simulation, 3, {5e-4, 0.0});
   observe();

@@ -90,7 +90,7 @@ void check_method(Case& input) {
 }
 
 void check_output(Case& input) {
-  if (!input.output.transient_every || input.solver.method == quasi_static_method) return;
+  if (!input.output.transient_every || input.solver.loading) return;
   input.file.add_error(input.file.position(input.file.table("output"), "transient_every"),
                        "'transient_every' is for method = \"quasi_static\" in [solver]: other methods have no states "
                        "between their steps");

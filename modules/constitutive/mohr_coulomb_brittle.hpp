@@ -62,7 +62,7 @@ struct MohrCoulombBrittle : MohrCoulombStrength {
     for (int bit = 0; bit < 53; ++bit) {
       const double middle = 0.5 * (inside + outside);
       const ContactForce force = at(middle);
-      (carries(area, force.normal, force.shear) ? inside : outside) = middle;
+      (intact_limits().carries(area, force.normal, force.shear) ? inside : outside) = middle;
     }
     return at(inside);
   }

@@ -24,6 +24,10 @@ struct WatchedBody {
   [[nodiscard]] const Field<Vector>& free(const Model& model) const {
     return is_node ? model.nodes.free : model.particles.free;
   }
+  [[nodiscard]] Index freedom(const Model& model) const {
+    const FreedomNumbers numbers(model);
+    return is_node ? numbers.node(row, axis) : numbers.particle(row, axis);
+  }
 };
 
 int axis_of(const GaugePoint& point) { return point.direction == "y" ? 1 : 0; }
@@ -62,11 +66,14 @@ WatchedBody nearest_body(const Model& model, const Vector& place, int axis) {
   return nearest;
 }
 
-Gauge opening_gauge(const std::string& name, const WatchedBody& from, const WatchedBody& to) {
-  return {name, name + "_m", [from, to](const Model&, const State& state) {
+Gauge opening_gauge(const Model& model, const std::string& name, const WatchedBody& from, const WatchedBody& to) {
+  return {name,
+          name + "_m",
+          [from, to](const Model&, const State& state) {
             return component(to.table(state).displacement[to.row], to.axis) -
                    component(from.table(state).displacement[from.row], from.axis);
-          }};
+          },
+          {{from.freedom(model), -1.0}, {to.freedom(model), 1.0}}};
 }
 
 /// What a gauge watches: a body, or both ends of a wall; none if the case is wrong.
@@ -97,14 +104,20 @@ std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const Gaug
 }
 
 /// Of a wall, the mean of its ends.
-Gauge displacement_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
-  return {name, name + "_m", [bodies](const Model&, const State& state) {
+Gauge displacement_gauge(const Model& model, const std::string& name, const std::vector<WatchedBody>& bodies) {
+  std::vector<SpringTerm> displacements;
+  for (const WatchedBody& body : bodies) {
+    displacements.push_back({body.freedom(model), 1.0 / static_cast<double>(bodies.size())});
+  }
+  return {name, name + "_m",
+          [bodies](const Model&, const State& state) {
             double sum = 0.0;
             for (const WatchedBody& body : bodies) {
               sum += component(body.table(state).displacement[body.row], body.axis);
             }
             return sum / static_cast<double>(bodies.size());
-          }};
+          },
+          std::move(displacements)};
 }
 
 Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
@@ -160,7 +173,7 @@ Gauge strain_gauge(const std::string& name, const Rectangle& region, const std::
 
 Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, const TableView& view) {
   if (table.displacement.is_given) {
-    return displacement_gauge(table.name, find_bodies(input, model, table.displacement, view, "displacement"));
+    return displacement_gauge(model, table.name, find_bodies(input, model, table.displacement, view, "displacement"));
   }
   if (table.reaction.is_given) {
     const auto bodies = find_bodies(input, model, table.reaction, view, "reaction");
@@ -172,7 +185,7 @@ Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, cons
   }
   if (table.opening.is_given) {
     const int axis = table.opening.direction == "y" ? 1 : 0;
-    return opening_gauge(table.name, nearest_body(model, to_vector(table.opening.from), axis),
+    return opening_gauge(model, table.name, nearest_body(model, to_vector(table.opening.from), axis),
                          nearest_body(model, to_vector(table.opening.to), axis));
   }
   return strain_gauge(table.name, find_region(input, model, table.strain, view, "strain"), table.strain.component);
@@ -180,6 +193,7 @@ Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, cons
 
 Gauge scaled(Gauge gauge, double factor) {
   if (factor == 1.0) return gauge;
+  for (SpringTerm& term : gauge.displacements) term.factor *= factor;
   gauge.value = [factor, value = std::move(gauge.value)](const Model& model, const State& state) {
     return factor * value(model, state);
   };

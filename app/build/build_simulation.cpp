@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "build/build_control.hpp"
 #include "build/build_gauges.hpp"
 #include "build/build_notches.hpp"
 #include "build/check_contacts.hpp"
@@ -60,6 +61,7 @@ BuiltSimulation build_simulation(Case& input) {
   modules.constraints.push_back(std::move(motion));
   std::vector<Gauge> gauges = build_gauges(input, built.model);
   std::optional<StopCriterion> stop = build_stop_criterion(input, gauges);
+  if (modules.loading) set_control(input, gauges, *modules.loading);
   input.file.throw_collected_errors();
 
   BuiltSimulation result{

@@ -62,9 +62,12 @@ void Increment::restore() {
   state_.nodes = start_.nodes;
 }
 
-void Increment::go_to(double step) {
+void Increment::begin() {
   n_evaluations_ = 0;
   n_settled_ = 0;
+}
+
+void Increment::go_to(double step) {
   state_.clock.time = start_.time + step;
   loads_ = applied_loads();
 }

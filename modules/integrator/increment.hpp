@@ -14,6 +14,9 @@ struct ForceEvaluation {
   std::function<void()> add_applied_loads;    ///< resultants of the applied loads alone, in place of the others
   std::function<ForceMagnitudes()> internal;  ///< see ForceProvider::internal_forces()
   std::function<bool()> is_interrupted;       ///< whether to give up
+  std::function<StiffnessSum()> stiffness;    ///< of elements and contacts
+  /// See ForceProvider::add_secants().
+  std::function<std::vector<double>(const ContactMemory& before)> secants;
 };
 
 /// When the bodies are in equilibrium, and how long it is searched for.
@@ -36,7 +39,9 @@ class Increment {
 
   /// Back to the last equilibrium.
   void restore();
-  /// Pseudo-time goes by a step (s) from the last equilibrium, and loads with it; evaluations are counted from here.
+  /// Evaluations are counted from here.
+  void begin();
+  /// Pseudo-time goes to a step (s) from the last equilibrium, and loads with it.
   void go_to(double step);
   /// Moves all bodies and evaluates their forces.
   void move(const std::vector<double>& motion);
@@ -50,7 +55,6 @@ class Increment {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] State& state() { return state_; }
   [[nodiscard]] const State& state() const { return state_; }
-  [[nodiscard]] const ForceEvaluation& evaluation() const { return evaluation_; }
   /// How far prescribed freedoms move in a step of pseudo-time; zero elsewhere.
   [[nodiscard]] std::vector<double> prescribed_motion(double step) const;
   /// 1 for free freedoms.
@@ -58,6 +62,9 @@ class Increment {
   /// At the last evaluation, of all freedoms.
   [[nodiscard]] const std::vector<double>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<double>& loads() const { return loads_; }
+  /// Stiffness of elements and of springs of contacts, and the secants of the latter; see ForceProvider.
+  [[nodiscard]] StiffnessSum stiffness() const { return evaluation_.stiffness(); }
+  [[nodiscard]] std::vector<double> secants() const { return evaluation_.secants(start_.contacts); }
   /// At the last equilibrium.
   [[nodiscard]] const std::vector<double>& start_forces() const { return start_.forces; }
   [[nodiscard]] const std::vector<double>& start_loads() const { return start_.loads; }

@@ -30,6 +30,12 @@ void IncrementalLoading::declare(Parameters& parameters) {
       .quantity("increment", increment_, "m", "displacement of the fastest [[motion]] from one equilibrium to the next")
       .greater_than(0.0)
       .required();
+  if (search_->follows_gauges()) {
+    parameters.text(
+        "control", control_,
+        "name of a gauge of displacements or openings: 'increment' is then of this gauge, and the [[motion]] "
+        "that drives it goes forth or back as the gauge asks for; it ends with its stage as ever");
+  }
   parameters.integer("load_steps", load_steps_, "increments of a stage in which loads rise and nothing is moved")
       .at_least(1);
   criterion_.declare(parameters);
@@ -56,18 +62,19 @@ void IncrementalLoading::open_lines(EnergyLedger& ledger) {
 
 bool IncrementalLoading::advance(const Model& model, State& state, const ForceEvaluation& evaluation) {
   Increment increment(model, state, evaluation, criterion_, freedoms_);
-  const double wanted = wanted_step(state);
+  IncrementTarget target = wanted_target(state);
+  const double wanted = target.step;
   // After a cut the way back to the wanted increment is taken in strides.
-  double step = state.loading.step > 0.0 ? std::min(wanted, 2.0 * state.loading.step) : wanted;
+  if (state.loading.step > 0.0) target.step = std::min(wanted, 2.0 * state.loading.step);
   if (search_->extrapolates() && state.loading.direction.empty()) find_direction(increment, wanted);
   for (;;) {
-    if (search_->find(increment, step)) {
-      accept(increment, step);
+    if (find(increment, target)) {
+      accept(increment, target.step);
       return true;
     }
     increment.restore();
-    step *= cut;
-    if (!(step > smallest_share_ * wanted) || evaluation.is_interrupted()) return false;
+    target.step *= cut;
+    if (!(target.step > smallest_share_ * wanted) || evaluation.is_interrupted()) return false;
   }
 }
 
@@ -75,22 +82,41 @@ void IncrementalLoading::find_direction(Increment& increment, double wanted) {
   // A platen that starts at full increment would hit what it touches: most of its work would go to relaxation, and
   // contacts that bounce off have no work that a trapezoid could find.
   const double step = 1e-3 * wanted;
-  if (search_->find(increment, step)) remember_direction(increment, step, increment.state().loading);
+  if (search_->find(increment, {.step = step})) remember_direction(increment, step, increment.state().loading);
   increment.restore();
 }
 
-double IncrementalLoading::wanted_step(const State& state) const {
+bool IncrementalLoading::find(Increment& increment, const IncrementTarget& target) {
+  if (!search_->find(increment, target)) return false;
+  // Where loading ends, it ends by its time.
+  if (target.gauge.empty() || time_left(increment.state()) >= 0.0) return true;
+  increment.restore();
+  return search_->find(increment, {.step = time_left(increment.state())});
+}
+
+void IncrementalLoading::begin_stage(State& state) const {
+  state.loading.direction.clear();
+  if (gauge_.empty()) return;
+  state.loading.gauge_sign = 0.0;
+  state.loading.step = 0.0;
+}
+
+double IncrementalLoading::time_left(const State& state) const {
+  return ends_[state.stage.number - 1] - (state.clock.time - state.stage.begin_time);
+}
+
+IncrementTarget IncrementalLoading::wanted_target(const State& state) const {
   const StageState& stage = state.stage;
-  const double end = ends_[stage.number - 1];
-  const double left = end - (state.clock.time - stage.begin_time);
-  double step = end / static_cast<double>(load_steps_);
+  const double left = time_left(state);
+  double step = ends_[stage.number - 1] / static_cast<double>(load_steps_);
   double fastest = 0.0;
   for (const PrescribedFreedom& freedom : freedoms_) {
     fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, stage, state.clock.time + 1e-9 * left)));
   }
   if (fastest > 0.0) step = increment_ / fastest;
+  if (fastest > 0.0 && !gauge_.empty()) return {.step = increment_, .gauge = gauge_, .usual_time = step};
   // A remainder that rounding leaves is no increment of its own.
-  return step > (1.0 - 1e-9) * left ? left : step;
+  return {.step = step > (1.0 - 1e-9) * left ? left : step};
 }
 
 void IncrementalLoading::accept(Increment& increment, double step) {

@@ -18,8 +18,10 @@ void MomentumRelaxation::use_stiffness(const Model& model, const State& state, c
   mass_.emplace(model, state, stiffness, coarse_cell_);
 }
 
-bool MomentumRelaxation::find(Increment& increment, double step) {
+bool MomentumRelaxation::find(Increment& increment, const IncrementTarget& target) {
+  const double step = target.step;
   const LoadingState& loading = increment.state().loading;
+  increment.begin();
   increment.go_to(step);
   std::vector<double> motion = increment.prescribed_motion(step);
   if (!loading.direction.empty() && loading.direction_step > 0.0) {

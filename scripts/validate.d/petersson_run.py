@@ -24,10 +24,10 @@ def largest_imbalance(rows):
 
 
 class Beam:
-    """A run of config/petersson_beam.toml."""
+    """A run of config/petersson_beam.toml, or of another case of the same beam."""
 
-    def __init__(self, folder, seed, overrides=()):
-        self.run = run_case(folder, "petersson_beam", (f"generation.seed={seed}", *overrides))
+    def __init__(self, folder, seed, overrides=(), case="petersson_beam"):
+        self.run = run_case(folder, case, (f"generation.seed={seed}", *overrides))
         self.seed = seed
         self.summary = self.run.summary
         self.rows = self.run.rows("history")

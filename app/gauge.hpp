@@ -5,6 +5,7 @@
 
 #include "core/model.hpp"
 #include "core/state.hpp"
+#include "core/stiffness_sum.hpp"
 
 namespace ligament {
 
@@ -13,6 +14,8 @@ struct Gauge {
   std::string name;
   std::string column;  ///< "<name>_<unit>"
   std::function<double(const Model&, const State&)> value;
+  /// Displacements whose weighted sum it is, if it is one.
+  std::vector<SpringTerm> displacements = {};
 };
 
 }  // namespace ligament

@@ -100,6 +100,8 @@ bool Simulation::increment() {
                                     .internal = [this] { return internal_forces(); },
                                     .update_contacts = update_contacts,
                                     .is_interrupted = is_interrupted_,
+                                    .stiffness = [this] { return stiffness(); },
+                                    .secants = [this](const ContactMemory& before) { return secants(before); },
                                     .observer = observer_});
 }
 
@@ -125,7 +127,7 @@ void Simulation::finish_stage(const std::vector<double>& readings) {
   stage.begin_step = state_.clock.step;
   // The velocities of the step ahead are those of the stage before; increments have none.
   stage.begin_time = state_.clock.time + (is_quasi_static() ? 0.0 : state_.clock.time_step);
-  state_.loading.direction.clear();
+  if (is_quasi_static()) modules_.loading->begin_segment(state_);
 }
 
 double Simulation::audit() {
@@ -166,6 +168,12 @@ StiffnessSum Simulation::stiffness() const {
   StiffnessSum sum(model_);
   for (const auto& provider : modules_.force_providers) provider->assemble(model_, state_, sum);
   return sum;
+}
+
+std::vector<double> Simulation::secants(const ContactMemory& before) const {
+  std::vector<double> secants;
+  for (const auto& provider : modules_.force_providers) provider->add_secants(state_, before, secants);
+  return secants;
 }
 
 void Simulation::prepare_state() {

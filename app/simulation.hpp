@@ -86,6 +86,7 @@ class Simulation {
   void add_forces();
   void add_applied_loads();
   [[nodiscard]] ForceMagnitudes internal_forces() const;
+  [[nodiscard]] std::vector<double> secants(const ContactMemory& before) const;
   void book_work();
 
   Model model_;

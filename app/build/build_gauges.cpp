@@ -25,6 +25,10 @@ struct WatchedBody {
   [[nodiscard]] const Field<Vector>& free(const Model& model) const {
     return is_node ? model.nodes.free : model.particles.free;
   }
+  [[nodiscard]] Index freedom(const Model& model) const {
+    const FreedomNumbers numbers(model);
+    return is_node ? numbers.node(row, axis) : numbers.particle(row, axis);
+  }
 };
 
 int axis_of(const GaugePoint& point) { return point.direction == "y" ? 1 : 0; }
@@ -101,11 +105,14 @@ std::vector<WatchedBody> bodies_at(Case& input, const Model& model, const Vector
   return {};
 }
 
-Gauge opening_gauge(const std::string& name, const WatchedBody& from, const WatchedBody& to) {
-  return {name, name + "_m", [from, to](const Model&, const State& state) {
+Gauge opening_gauge(const Model& model, const std::string& name, const WatchedBody& from, const WatchedBody& to) {
+  return {name,
+          name + "_m",
+          [from, to](const Model&, const State& state) {
             return component(to.table(state).displacement[to.row], to.axis) -
                    component(from.table(state).displacement[from.row], from.axis);
-          }};
+          },
+          {{from.freedom(model), -1.0}, {to.freedom(model), 1.0}}};
 }
 
 /// What a gauge watches: a body, or both ends of a wall; none if the case is wrong.
@@ -146,16 +153,29 @@ double mean_displacement(const std::vector<WatchedBody>& bodies, const State& st
   return sum / weight;
 }
 
+/// The same as a weighted sum of freedoms, times a factor.
+void add_mean(const Model& model, const std::vector<WatchedBody>& bodies, double factor,
+              std::vector<SpringTerm>& displacements) {
+  double weight = 0.0;
+  for (const WatchedBody& body : bodies) weight += body.weight;
+  for (const WatchedBody& body : bodies) displacements.push_back({body.freedom(model), factor * body.weight / weight});
+}
+
 /// Of a wall, the mean of its ends.
 Gauge displacement_gauge(Case& input, const Model& model, const GaugeTable& table, const TableView& view) {
   const GaugePoint& point = table.displacement;
   const std::vector<WatchedBody> bodies = find_bodies(input, model, point, view, "displacement");
   const std::vector<WatchedBody> others =
       bodies_of_supports(input, model, point.relative_to, axis_of(point), view, "displacement");
-  return {table.name, table.name + "_m", [bodies, others](const Model&, const State& state) {
+  std::vector<SpringTerm> displacements;
+  add_mean(model, bodies, 1.0, displacements);
+  add_mean(model, others, -1.0, displacements);
+  return {table.name, table.name + "_m",
+          [bodies, others](const Model&, const State& state) {
             const double displacement = mean_displacement(bodies, state);
             return others.empty() ? displacement : displacement - mean_displacement(others, state);
-          }};
+          },
+          std::move(displacements)};
 }
 
 Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bodies) {
@@ -223,7 +243,7 @@ Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, cons
   }
   if (table.opening.is_given) {
     const int axis = table.opening.direction == "y" ? 1 : 0;
-    return opening_gauge(table.name, nearest_body(model, to_vector(table.opening.from), axis),
+    return opening_gauge(model, table.name, nearest_body(model, to_vector(table.opening.from), axis),
                          nearest_body(model, to_vector(table.opening.to), axis));
   }
   return strain_gauge(table.name, find_region(input, model, table.strain, view, "strain"), table.strain.component);
@@ -231,6 +251,7 @@ Gauge build_gauge(Case& input, const Model& model, const GaugeTable& table, cons
 
 Gauge scaled(Gauge gauge, double factor) {
   if (factor == 1.0) return gauge;
+  for (SpringTerm& term : gauge.displacements) term.factor *= factor;
   gauge.value = [factor, value = std::move(gauge.value)](const Model& model, const State& state) {
     return factor * value(model, state);
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "build/build_control.hpp"
 #include "build/build_gauges.hpp"
 #include "build/build_notches.hpp"
 #include "build/check_contacts.hpp"
@@ -61,6 +62,7 @@ BuiltSimulation build_simulation(Case& input) {
   std::vector<Gauge> gauges = build_gauges(input, built.model);
   std::vector<StopCriterion> stops = build_stop_criteria(input, gauges);
   const std::optional<UniaxialTest> uniaxial = build_uniaxial_test(input, gauges);
+  if (modules.loading) set_control(input, gauges, *modules.loading);
   input.file.throw_collected_errors();
 
   BuiltSimulation result{

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "core/closest_name.hpp"
+#include "build/find_gauge.hpp"
 
 namespace ligament {
 namespace {
@@ -17,8 +15,8 @@ void add_criterion(Case& input, const std::vector<Gauge>& gauges, const std::str
     input.file.add_error(input.file.position(view),
                          fmt::format("give 'drop_to_share', 'above' or 'below' {}", view.where()));
   }
-  const auto number = find_gauge(input, gauges, gauge, view, "gauge");
-  if (number) criteria.push_back({*number, gauge, limit});
+  const Gauge* found = find_gauge(input, gauges, gauge, view, "gauge");
+  if (found != nullptr) criteria.push_back({static_cast<std::size_t>(found - gauges.data()), gauge, limit});
 }
 
 }  // namespace
@@ -32,18 +30,6 @@ std::string StopCriterion::reached(const std::vector<double>& readings, const Fi
   if (limit.above && now > *limit.above) return fmt::format("gauge '{}' is above {}", name, *limit.above);
   if (limit.below && now < *limit.below) return fmt::format("gauge '{}' is below {}", name, *limit.below);
   return {};
-}
-
-std::optional<std::size_t> find_gauge(Case& input, const std::vector<Gauge>& gauges, const std::string& name,
-                                      const TableView& view, const char* key) {
-  const auto found = std::find_if(gauges.begin(), gauges.end(), [&](const Gauge& gauge) { return gauge.name == name; });
-  if (found != gauges.end()) return static_cast<std::size_t>(found - gauges.begin());
-  std::vector<std::string> names;
-  for (const Gauge& gauge : gauges) names.push_back(gauge.name);
-  input.file.add_error(input.file.position(view, key),
-                       fmt::format("there is no gauge '{}' {} (there are: {}){}", name, view.where(),
-                                   names.empty() ? "none" : quoted_list(names), did_you_mean(name, names)));
-  return std::nullopt;
 }
 
 std::vector<StopCriterion> build_stop_criteria(Case& input, const std::vector<Gauge>& gauges) {

@@ -23,8 +23,4 @@ struct StopCriterion {
 /// Those of the case, the one of [stop] first; what is wrong with them becomes an error of the case file.
 std::vector<StopCriterion> build_stop_criteria(Case& input, const std::vector<Gauge>& gauges);
 
-/// The number of the gauge with this name; if there is none, nothing, and an error of the case file at this key.
-std::optional<std::size_t> find_gauge(Case& input, const std::vector<Gauge>& gauges, const std::string& name,
-                                      const TableView& view, const char* key);
-
 }  // namespace ligament

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "build/stop_criterion.hpp"
+#include "build/find_gauge.hpp"
 
 namespace ligament {
 namespace {
@@ -39,9 +39,9 @@ Interval extent(const Case& input, std::size_t axis) {
 std::optional<UniaxialTest> build_uniaxial_test(Case& input, const std::vector<Gauge>& gauges) {
   if (!input.uniaxial) return std::nullopt;
   const auto& [table, view] = *input.uniaxial;
-  const auto load = find_gauge(input, gauges, table.load, view, "load");
-  const auto elongation = find_gauge(input, gauges, table.elongation, view, "elongation");
-  if (!load || !elongation) return std::nullopt;
+  const Gauge* load = find_gauge(input, gauges, table.load, view, "load");
+  const Gauge* elongation = find_gauge(input, gauges, table.elongation, view, "elongation");
+  if (load == nullptr || elongation == nullptr) return std::nullopt;
   const auto of_load = std::find_if(input.gauges.begin(), input.gauges.end(),
                                     [&](const auto& gauge) { return gauge.table.name == table.load; });
   if (!of_load->table.reaction.is_given) {
@@ -50,8 +50,8 @@ std::optional<UniaxialTest> build_uniaxial_test(Case& input, const std::vector<G
     return std::nullopt;
   }
   const std::size_t axis = of_load->table.reaction.direction == "y" ? 1 : 0;
-  return UniaxialTest{.load = *load,
-                      .elongation = *elongation,
+  return UniaxialTest{.load = static_cast<std::size_t>(load - gauges.data()),
+                      .elongation = static_cast<std::size_t>(elongation - gauges.data()),
                       .axis = static_cast<int>(axis),
                       .length = extent(input, axis).length(),
                       .area = extent(input, 1 - axis).length() * input.problem.thickness};

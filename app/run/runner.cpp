@@ -231,7 +231,7 @@ Ending Runner::end_at_last_equilibrium() {
   const Ending ending = requested_ending().value_or(Ending::not_converged);
   // Its row and fields have been written if they were due.
   if (is_final(ending) && !is_due(input_.output.every)) table_.show(results_->add_row(built_));
-  const bool has_fields = input_.output.fields_every && is_due(*input_.output.fields_every);
+  const bool has_fields = step() == 0 || (input_.output.fields_every && is_due(*input_.output.fields_every));
   if (is_final(ending) && !has_fields) results_->add_fields(built_.simulation);
   save_checkpoint(true);
   return ending;

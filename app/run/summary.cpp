@@ -160,7 +160,10 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
             {"audit", passed ? "passed" : "failed"},
             {"final_state_hash", state_hash(simulation.state())},
             {"force_mismatch_max", force_mismatch(built, summary.ending)}};
-  if (simulation.is_quasi_static()) json["n_evaluations"] = simulation.state().loading.n_evaluations;
+  if (simulation.is_quasi_static()) {
+    json["n_evaluations"] = simulation.state().loading.n_evaluations;
+    json["n_factorisations"] = simulation.state().loading.n_factorisations;
+  }
   if (const auto peak = peak_load(built)) json["peak_load_N"] = *peak;
   if (summary.motion_error) json["motion_error"] = *summary.motion_error;
   if (summary.transfer_error) json["transfer_error"] = *summary.transfer_error;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "contact/contact_ends.hpp"
+#include "contact/contact_secants.hpp"
 #include "contact/contact_springs.hpp"
 #include "contact/law_ranges.hpp"
 #include "contact/pairings.hpp"
@@ -33,6 +34,14 @@ class ContactForces : public ForceProvider {
 
   void assemble(const Model& model, const State& state, StiffnessSum& stiffness) const override {
     assemble_contacts<Pairing>(model, state, stiffness);
+  }
+
+  void add_secants(const State& state, const ContactMemory& before, std::vector<double>& stiffness) const override {
+    const ContactTable& contacts = Pairing::table(state);
+    for (std::size_t row = 0; row < contacts.size(); ++row) {
+      stiffness.push_back(normal_secant(contacts, Pairing::table(before), row));
+      stiffness.push_back(shear_secant(contacts, Pairing::table(before), row));
+    }
   }
 
   [[nodiscard]] ForceMagnitudes internal_forces(const Model& /*model*/, const State& state) const override {

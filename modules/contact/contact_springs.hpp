@@ -25,20 +25,20 @@ std::vector<SpringTerm> contact_spring(const FreedomNumbers& numbers, const Mode
   return terms;
 }
 
-/// Eq. (29) of the contacts that touch or hold, as two springs each.
+/// Eq. (29), as two springs each; without stiffness where a contact neither touches nor holds.
 template <class Pairing>
 void assemble_contacts(const Model& model, const State& state, StiffnessSum& stiffness) {
   const ContactTable& contacts = Pairing::table(state);
   for (std::size_t row = 0; row < contacts.size(); ++row) {
     const bool is_bonded = contacts.bond[row] == BondState::bonded || contacts.bond[row] == BondState::softening;
-    if (!is_bonded && contacts.opening[row] > 0.0) continue;
+    const double share = is_bonded || contacts.opening[row] <= 0.0 ? 1.0 : 0.0;
     const ContactGeometry geometry = Pairing::motion(model, state, row).geometry;
     const Vector& normal = geometry.normal;
     const auto spring = [&](const ContactPointForce& force) {
       return contact_spring<Pairing>(stiffness.numbers(), model, contacts, row, geometry, force);
     };
-    stiffness.add_spring(spring({normal, 0.0}), contacts.normal_stiffness[row]);
-    stiffness.add_spring(spring({tangent(normal), 1.0}), contacts.shear_stiffness[row]);
+    stiffness.add_spring(spring({normal, 0.0}), share * contacts.normal_stiffness[row]);
+    stiffness.add_spring(spring({tangent(normal), 1.0}), share * contacts.shear_stiffness[row]);
   }
 }
 

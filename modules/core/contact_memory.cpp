@@ -3,20 +3,9 @@
 #include <algorithm>
 
 namespace ligament {
+namespace {
 
-void ContactMemory::take(const State& state) {
-  take(state.particle_contacts, particles_);
-  take(state.facet_contacts, facets_);
-  take(state.corner_contacts, corners_);
-}
-
-void ContactMemory::put_back(State& state) const {
-  put_back(particles_, state.particle_contacts);
-  put_back(facets_, state.facet_contacts);
-  put_back(corners_, state.corner_contacts);
-}
-
-void ContactMemory::take(const ContactTable& contacts, Table& memory) {
+void take(const ContactTable& contacts, ContactMemory::Table& memory) {
   memory.opening = contacts.opening;
   memory.shear_displacement = contacts.shear_displacement;
   memory.normal_force = contacts.normal_force;
@@ -26,7 +15,7 @@ void ContactMemory::take(const ContactTable& contacts, Table& memory) {
   for (std::size_t k = 0; k < memory.history.size(); ++k) memory.history[k] = contacts.history[k].values;
 }
 
-void ContactMemory::put_back(const Table& memory, ContactTable& contacts) {
+void put_back(const ContactMemory::Table& memory, ContactTable& contacts) {
   // Not by assignment of fields: arrays of the tables stay where they are.
   std::copy(memory.opening.begin(), memory.opening.end(), contacts.opening.begin());
   std::copy(memory.shear_displacement.begin(), memory.shear_displacement.end(), contacts.shear_displacement.begin());
@@ -36,6 +25,20 @@ void ContactMemory::put_back(const Table& memory, ContactTable& contacts) {
   for (std::size_t k = 0; k < memory.history.size(); ++k) {
     std::copy(memory.history[k].begin(), memory.history[k].end(), contacts.history[k].values.begin());
   }
+}
+
+}  // namespace
+
+void ContactMemory::take(const State& state) {
+  ligament::take(state.particle_contacts, particle_contacts);
+  ligament::take(state.facet_contacts, facet_contacts);
+  ligament::take(state.corner_contacts, corner_contacts);
+}
+
+void ContactMemory::put_back(State& state) const {
+  ligament::put_back(particle_contacts, state.particle_contacts);
+  ligament::put_back(facet_contacts, state.facet_contacts);
+  ligament::put_back(corner_contacts, state.corner_contacts);
 }
 
 }  // namespace ligament

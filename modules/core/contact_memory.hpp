@@ -6,14 +6,7 @@ namespace ligament {
 
 /// What the contacts remember at one time: openings, forces, bonds, history. Forces can be tried from it again and
 /// again, as long as the contact tables keep their rows.
-class ContactMemory {
- public:
-  /// Takes it from the state.
-  void take(const State& state);
-  /// Gives it back to the state.
-  void put_back(State& state) const;
-
- private:
+struct ContactMemory {
   struct Table {
     Field<double> opening;
     Field<ShearVector> shear_displacement;
@@ -22,12 +15,14 @@ class ContactMemory {
     Field<BondState> bond;
     std::vector<Field<double>> history;
   };
-  static void take(const ContactTable& contacts, Table& memory);
-  static void put_back(const Table& memory, ContactTable& contacts);
+  Table particle_contacts;
+  Table facet_contacts;
+  Table corner_contacts;
 
-  Table particles_;
-  Table facets_;
-  Table corners_;
+  /// Takes it from the state.
+  void take(const State& state);
+  /// Gives it back to the state.
+  void put_back(State& state) const;
 };
 
 }  // namespace ligament

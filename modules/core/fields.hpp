@@ -110,12 +110,15 @@ void visit_fields(Table& table, Visitor&& visit) {
 
 template <TableOf<LoadingState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
-  auto& [step, direction_step, direction, peak_force, n_evaluations] = table;
+  auto& [step, direction_step, direction, peak_force, gauge_sign, secants, n_evaluations, n_factorisations] = table;
   visit("step", step, FieldRole::physics);
   visit("direction_step", direction_step, FieldRole::physics);
   visit("direction", direction, FieldRole::physics);
   visit("peak_force", peak_force, FieldRole::physics);
+  visit("gauge_sign", gauge_sign, FieldRole::physics);
+  visit("secants", secants, FieldRole::physics);
   visit("n_evaluations", n_evaluations, FieldRole::physics);
+  visit("n_factorisations", n_factorisations, FieldRole::physics);
 }
 
 template <TableOf<CrackState> Table, class Visitor>

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/contact_memory.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/stiffness_bounds.hpp"
@@ -46,8 +47,14 @@ class ForceProvider : public EnergySource {
   /// Adds its rows to the Gershgorin bound; forces without stiffness add nothing.
   virtual void add_stiffness(const Model& /*model*/, const State& /*state*/, StiffnessBounds& /*bounds*/) const {}
 
-  /// Adds its stiffness about the state at set-up; forces without stiffness add nothing.
+  /// Adds its stiffness about the state, springs without stiffness for contacts that do not touch; forces without
+  /// stiffness add nothing.
   virtual void assemble(const Model& /*model*/, const State& /*state*/, StiffnessSum& /*stiffness*/) const {}
+
+  /// Adds the stiffness (N/m) with which each of its springs, in the order of assemble(), would carry the force it has,
+  /// from where it has none, `before` being what contacts remember. It lies between 0 and the elastic one.
+  virtual void add_secants(const State& /*state*/, const ContactMemory& /*before*/,
+                           std::vector<double>& /*stiffness*/) const {}
 
   /// The forces that say how large an unbalanced force is: those of contacts; those of elements where there are no
   /// particles.

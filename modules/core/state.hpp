@@ -119,11 +119,14 @@ struct CrackState {
 
 /// What quasi-static loading in increments remembers.
 struct LoadingState {
-  double step = 0.0;               ///< pseudo-time of the last increment (s); 0 before the first
-  double direction_step = 0.0;     ///< that of the increment whose motion is extrapolated (s)
-  Field<double> direction;         ///< that motion, all freedoms in one column
-  double peak_force = 0.0;         ///< largest external force so far (N)
-  std::int64_t n_evaluations = 0;  ///< of the forces, in all increments so far
+  double step = 0.0;                  ///< the last increment, of pseudo-time (s) or of a gauge; 0 before the first
+  double direction_step = 0.0;        ///< that of the increment whose motion is extrapolated (s)
+  Field<double> direction;            ///< that motion, all freedoms in one column
+  double peak_force = 0.0;            ///< largest external force so far (N)
+  double gauge_sign = 0.0;            ///< the way in which a gauge is followed in the stage under way; 0 before that
+  Field<double> secants;              ///< of the springs of all contacts, of the last equilibrium (N/m)
+  std::int64_t n_evaluations = 0;     ///< of the forces, in all increments so far
+  std::int64_t n_factorisations = 0;  ///< of stiffness matrices
 };
 
 /// What adaptive damping remembers: the internal forces of the step before.

@@ -49,6 +49,8 @@ class StiffnessSum {
   [[nodiscard]] const FreedomNumbers& numbers() const { return numbers_; }
 
   void add_spring(std::span<const SpringTerm> terms, double stiffness);
+  /// Gives all springs other stiffness, in the order in which they were added.
+  void set_stiffness(std::vector<double> stiffness) { stiffness_ = std::move(stiffness); }
   /// The matrix must outlive the sum.
   void add_element(const std::array<Index, 8>& freedoms, const ElementStiffness& matrix);
 

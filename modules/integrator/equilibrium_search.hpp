@@ -1,8 +1,18 @@
 #pragma once
 
+#include <span>
+
 #include "integrator/increment.hpp"
 
 namespace ligament {
+
+/// What an increment is to bring.
+struct IncrementTarget {
+  double step = 0.0;  ///< of pseudo-time (s), or of the gauge
+  /// Displacements whose weighted sum the gauge is; without any the step is one of pseudo-time.
+  std::span<const SpringTerm> gauge = {};
+  double usual_time = 0.0;  ///< for pseudo-time that the gauge asks for: what an increment takes about (s)
+};
 
 /// How an increment of loading is brought to equilibrium.
 class EquilibriumSearch {
@@ -16,9 +26,12 @@ class EquilibriumSearch {
   /// Whether it starts from the motion of an increment before; of a stage that begins, that of a small one.
   [[nodiscard]] virtual bool extrapolates() const = 0;
 
-  /// Finds the equilibrium of a step of pseudo-time (s). False if it does not settle before the increment is exhausted.
-  virtual bool find(Increment& increment, double step) = 0;
-  /// The same in a live increment. False also if it knows no way to do so.
+  /// Whether it can follow a gauge.
+  [[nodiscard]] virtual bool follows_gauges() const { return false; }
+
+  /// Finds the equilibrium. False if it does not settle before the increment is exhausted.
+  virtual bool find(Increment& increment, const IncrementTarget& target) = 0;
+  /// The same of a step of pseudo-time (s) in a live increment. False also if it knows no way to do so.
   virtual bool find_live(Increment& /*increment*/, double /*step*/) { return false; }
 };
 

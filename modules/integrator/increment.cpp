@@ -49,7 +49,6 @@ Increment::Increment(const Model& model, State& state, const ForceEvaluation& ev
       evaluation_(evaluation),
       criterion_(criterion),
       freedoms_(freedoms),
-      observer_(evaluation.observer),
       free_(free_mask(model)) {
   clear_increments();
   start_.time = state.clock.time;
@@ -78,9 +77,12 @@ void Increment::restore() {
   state_.nodes = start_.nodes;
 }
 
-void Increment::go_to(double step) {
+void Increment::begin() {
   n_evaluations_ = 0;
   n_settled_ = 0;
+}
+
+void Increment::go_to(double step) {
   state_.clock.time = start_.time + step;
   loads_ = applied_loads();
   if (!is_live()) return;
@@ -128,7 +130,9 @@ void Increment::go_along(const std::vector<double>& motion, double end_time, dou
 }
 
 void Increment::show(double kinetic_energy) const {
-  if (observer_.every > 0 && n_evaluations_ % observer_.every == 0) observer_.look(n_evaluations_, kinetic_energy);
+  const IncrementObserver& observer = evaluation_.observer;
+  if (!is_observed_ || observer.every == 0 || n_evaluations_ % observer.every != 0) return;
+  observer.look(n_evaluations_, kinetic_energy);
 }
 
 bool Increment::has_settled() {

@@ -24,6 +24,9 @@ struct ForceEvaluation {
   std::function<ForceMagnitudes()> internal;  ///< see ForceProvider::internal_forces()
   std::function<void()> update_contacts;      ///< finds new contacts and drops old ones if bodies have moved far
   std::function<bool()> is_interrupted;       ///< whether to give up
+  std::function<StiffnessSum()> stiffness;    ///< of elements and contacts
+  /// See ForceProvider::add_secants().
+  std::function<std::vector<double>(const ContactMemory& before)> secants;
   IncrementObserver observer = {};
 };
 
@@ -49,7 +52,9 @@ class Increment {
 
   /// Back to the last equilibrium.
   void restore();
-  /// Pseudo-time goes by a step (s) from the last equilibrium, and loads with it; evaluations are counted from here.
+  /// Evaluations are counted from here.
+  void begin();
+  /// Pseudo-time goes to a step (s) from the last equilibrium, and loads with it.
   void go_to(double step);
   /// Lets the increment live from here, the last equilibrium, on.
   void go_live();
@@ -57,9 +62,9 @@ class Increment {
   void move(const std::vector<double>& motion);
   /// Goes to a place on the straight line from the last equilibrium; `motion` is the whole way.
   void go_along(const std::vector<double>& motion, double end_time, double share);
-  /// Who looks on from here; at first the one of the evaluation.
-  void observe_by(const IncrementObserver& observer) { observer_ = observer; }
-  /// Lets them look, if it is time, at this kinetic energy (J).
+  /// Whether the observer looks on; at first it does.
+  void observe(bool is_observed) { is_observed_ = is_observed; }
+  /// Lets it look, if it is time, at this kinetic energy (J).
   void show(double kinetic_energy) const;
   /// Whether the bodies have been in equilibrium in this and the evaluations before, as many as it takes.
   [[nodiscard]] bool has_settled();
@@ -69,7 +74,6 @@ class Increment {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] State& state() { return state_; }
   [[nodiscard]] const State& state() const { return state_; }
-  [[nodiscard]] const ForceEvaluation& evaluation() const { return evaluation_; }
   /// How far prescribed freedoms move in a step of pseudo-time; zero elsewhere.
   [[nodiscard]] std::vector<double> prescribed_motion(double step) const;
   /// From the last equilibrium to here, all freedoms.
@@ -82,6 +86,9 @@ class Increment {
   /// At the last evaluation, of all freedoms.
   [[nodiscard]] const std::vector<double>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<double>& loads() const { return loads_; }
+  /// Stiffness of elements and of springs of contacts, and the secants of the latter; see ForceProvider.
+  [[nodiscard]] StiffnessSum stiffness() const { return evaluation_.stiffness(); }
+  [[nodiscard]] std::vector<double> secants() const { return evaluation_.secants(start_.contacts); }
   /// At the last equilibrium.
   [[nodiscard]] const std::vector<double>& start_forces() const { return start_.forces; }
   [[nodiscard]] const std::vector<double>& start_loads() const { return start_.loads; }
@@ -111,7 +118,6 @@ class Increment {
   const ForceEvaluation& evaluation_;
   const EquilibriumCriterion& criterion_;
   const std::vector<PrescribedFreedom>& freedoms_;
-  IncrementObserver observer_;
   Start start_;
   std::vector<double> free_;
   std::vector<double> forces_;
@@ -119,6 +125,7 @@ class Increment {
   double through_force_ = 0.0;
   std::int64_t n_evaluations_ = 0;
   std::int64_t n_settled_ = 0;
+  bool is_observed_ = true;
   // Of a live increment.
   std::optional<State> before_;  ///< the last equilibrium, with the contacts that it has
   std::vector<double> way_;      ///< from there to here

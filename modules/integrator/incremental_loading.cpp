@@ -30,6 +30,12 @@ void IncrementalLoading::declare(Parameters& parameters) {
       .quantity("increment", increment_, "m", "displacement of the fastest [[motion]] from one equilibrium to the next")
       .greater_than(0.0)
       .required();
+  if (search_->follows_gauges()) {
+    parameters.text(
+        "control", control_,
+        "name of a gauge of displacements or openings: 'increment' is then of this gauge, and the [[motion]] "
+        "that drives it goes forth or back as the gauge asks for; it ends with its stage as ever");
+  }
   parameters
       .integer("load_steps", load_steps_,
                "increments from one corner of the loading to the next where nothing is moved: loads change, or hold")
@@ -59,26 +65,27 @@ void IncrementalLoading::open_lines(EnergyLedger& ledger) {
 bool IncrementalLoading::advance(const Model& model, State& state, const ForceEvaluation& evaluation) {
   Increment increment(model, state, evaluation, criterion_, freedoms_);
   const Segment segment = segment_at(state);
-  const double wanted = wanted_step(state);
+  IncrementTarget target = wanted_target(state);
+  const double wanted = target.step;
   // After a cut the way back to the wanted increment is taken in strides.
-  double step = state.loading.step > 0.0 ? std::min(wanted, 2.0 * state.loading.step) : wanted;
+  if (state.loading.step > 0.0) target.step = std::min(wanted, 2.0 * state.loading.step);
   if (search_->extrapolates() && state.loading.direction.empty()) find_direction(increment, wanted);
   for (;;) {
-    if (search_->find(increment, step)) break;
+    if (find(increment, target)) break;
     increment.restore();
     if (evaluation.is_interrupted()) return false;
-    if (cut * step > smallest_share_ * wanted) {
-      step *= cut;
+    if (cut * target.step > smallest_share_ * wanted) {
+      target.step *= cut;
       continue;
     }
     increment.go_live();
-    if (search_->find_live(increment, step)) break;
+    if (search_->find_live(increment, target.step)) break;
     increment.restore();
     return false;
   }
-  accept(increment, step);
+  accept(increment, target.step);
   // Beyond a corner everything moves another way.
-  if (segment_at(state).begin != segment.begin) state.loading.direction.clear();
+  if (segment_at(state).begin > segment.begin) begin_segment(state);
   return true;
 }
 
@@ -86,10 +93,10 @@ void IncrementalLoading::find_direction(Increment& increment, double wanted) {
   // A platen that starts at full increment would hit what it touches: most of its work would go to relaxation, and
   // contacts that bounce off have no work that a trapezoid could find.
   const double step = 1e-3 * wanted;
-  increment.observe_by({});
-  if (search_->find(increment, step)) remember_direction(increment, step, increment.state().loading);
+  increment.observe(false);
+  if (search_->find(increment, {.step = step})) remember_direction(increment, step, increment.state().loading);
   increment.restore();
-  increment.observe_by(increment.evaluation().observer);
+  increment.observe(true);
 }
 
 IncrementalLoading::Segment IncrementalLoading::segment_at(const State& state) const {
@@ -106,9 +113,29 @@ IncrementalLoading::Segment IncrementalLoading::segment_at(const State& state) c
   return {segment.end, segment.end};
 }
 
-double IncrementalLoading::wanted_step(const State& state) const {
+bool IncrementalLoading::find(Increment& increment, const IncrementTarget& target) {
+  const double left = time_left(increment.state());
+  if (!search_->find(increment, target)) return false;
+  // Where a segment of the loading ends, it ends by its time.
+  if (target.gauge.empty() || increment.state().clock.time - increment.start_time() <= left) return true;
+  increment.restore();
+  return search_->find(increment, {.step = left});
+}
+
+void IncrementalLoading::begin_segment(State& state) const {
+  state.loading.direction.clear();
+  if (gauge_.empty()) return;
+  state.loading.gauge_sign = 0.0;
+  state.loading.step = 0.0;
+}
+
+double IncrementalLoading::time_left(const State& state) const {
+  return segment_at(state).end - (state.clock.time - state.stage.begin_time);
+}
+
+IncrementTarget IncrementalLoading::wanted_target(const State& state) const {
   const Segment segment = segment_at(state);
-  const double left = segment.end - (state.clock.time - state.stage.begin_time);
+  const double left = time_left(state);
   double step = (segment.end - segment.begin) / static_cast<double>(load_steps_);
   double fastest = 0.0;
   for (const PrescribedFreedom& freedom : freedoms_) {
@@ -119,8 +146,9 @@ double IncrementalLoading::wanted_step(const State& state) const {
     }
   }
   if (fastest > 0.0) step = increment_ / fastest;
+  if (fastest > 0.0 && !gauge_.empty()) return {.step = increment_, .gauge = gauge_, .usual_time = step};
   // A remainder that rounding leaves is no increment of its own.
-  return step > (1.0 - 1e-9) * left ? left : step;
+  return {.step = step > (1.0 - 1e-9) * left ? left : step};
 }
 
 void IncrementalLoading::accept(Increment& increment, double step) {

@@ -18,8 +18,10 @@ void MomentumRelaxation::use_stiffness(const Model& model, const State& state, c
   mass_.emplace(model, state, stiffness, coarse_cell_);
 }
 
-bool MomentumRelaxation::find(Increment& increment, double step) {
+bool MomentumRelaxation::find(Increment& increment, const IncrementTarget& target) {
+  const double step = target.step;
   const LoadingState& loading = increment.state().loading;
+  increment.begin();
   increment.go_to(step);
   std::vector<double> motion = increment.prescribed_motion(step);
   if (!loading.direction.empty() && loading.direction_step > 0.0) {
@@ -33,6 +35,7 @@ bool MomentumRelaxation::find(Increment& increment, double step) {
 bool MomentumRelaxation::find_live(Increment& increment, double step) {
   // A platen that moves all at once would hit what it touches.
   constexpr std::int64_t n_parts = 100;
+  increment.begin();
   increment.go_to(step);
   std::vector<double> part = increment.prescribed_motion(step);
   for (double& value : part) value /= n_parts;

@@ -5,6 +5,7 @@
 #include "integrator/local_damping.hpp"
 #include "integrator/momentum_relaxation.hpp"
 #include "integrator/no_damping.hpp"
+#include "integrator/secant_relaxation.hpp"
 #include "integrator/two_level_relaxation.hpp"
 
 namespace ligament {
@@ -32,6 +33,8 @@ Registry<IncrementalLoading> loading_methods() {
   Registry<IncrementalLoading> all("solver method");
   all.add("quasi_static", "loading in increments, each relaxed to equilibrium: every row is one of equilibrium",
           [] { return std::make_unique<IncrementalLoading>(std::make_unique<MomentumRelaxation>()); });
+  all.add("secant", "the same increments, each solved directly with secant stiffness; may follow a gauge",
+          [] { return std::make_unique<IncrementalLoading>(std::make_unique<SecantRelaxation>()); });
   return all;
 }
 

@@ -42,3 +42,23 @@ TEST_CASE("numbers of the solver that cannot be") {
   check("unbalanced_force_ratio = -0.0", "'unbalanced_force_ratio' is -0, but must be greater than 0");
   check("damping_ratio = -7", "'damping_ratio' is -7, but must be greater than 0");
 }
+
+TEST_CASE("a gauge that cannot be followed") {
+  const auto check = [](const std::string& control, const std::string& messages, const std::string& method = "secant") {
+    const std::string text = edited("method = \"dynamic_relaxation\"\n",
+                                    "method = \"" + method + "\"\nincrement = \"1 um\"\n" + control + "\n");
+    const std::string place = "case.toml:" + place_of(method == "secant" ? control.substr(10) : control, text) + ": ";
+    std::string expected = messages;
+    for (std::size_t at = 0; (at = expected.find('@', at)) != std::string::npos;) expected.replace(at, 1, place);
+    check_rejected(text, expected);
+  };
+  const std::string no_motion = "@nothing can drive the gauge 'u' in [solver]: there is no [[motion]]";
+  check("control = \"u\"", no_motion);
+  check("control = \"cmod\"",
+        "@there is no gauge 'cmod' in [solver] (there are: 'u', 'r')\n"
+        "@nothing can drive the gauge 'cmod' in [solver]: there is no [[motion]]");
+  check("control = \"r\"",
+        "@the gauge 'r' in [solver] measures no displacement or opening, and no other can be followed\n"
+        "@nothing can drive the gauge 'r' in [solver]: there is no [[motion]]");
+  check("control = \"u\"", "@unknown key 'control' in [solver]", "quasi_static");
+}

@@ -70,7 +70,7 @@ TEST_CASE("names of what there is not") {
              "'generator' is 'cubic', but must be one of 'file', 'graded', 'hexagonal', 'random'");
   check_edit("\"dynamic_relaxation\"", "\"implicit\"",
              "'method' is 'implicit', but must be one of 'dynamic_relaxation', 'local_damping', "
-             "'two_level_relaxation', 'undamped', 'quasi_static'");
+             "'two_level_relaxation', 'undamped', 'quasi_static', 'secant'");
   check_edit("node = 4, direction = \"x\"", "node = 4, direction = \"z\"",
              "'direction' is 'z', but must be one of 'x', 'y'", "\"z\"");
   check_edit("fix = [\"y\"]", "fix = [\"z\"]", "item 1 of 'fix' is 'z', but must be one of 'x', 'y', 'rotation'",

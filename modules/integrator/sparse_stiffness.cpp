@@ -1,0 +1,96 @@
+#include "integrator/sparse_stiffness.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+
+namespace ligament {
+namespace {
+
+using Matrix = Eigen::SparseMatrix<double>;
+
+/// Calls visit(row, column, value) for the lower triangle of all springs and elements, always in the same order.
+template <class Visit>
+void visit_entries(const StiffnessSum& stiffness, const std::vector<double>& free, Visit&& visit) {
+  const auto add = [&](Index a, Index b, double value) {
+    if (a >= b && free[a] != 0.0 && free[b] != 0.0) visit(a, b, value);
+  };
+  for (std::size_t i = 0; i < stiffness.n_springs(); ++i) {
+    const auto [terms, k] = stiffness.spring(i);
+    for (const SpringTerm& a : terms) {
+      for (const SpringTerm& b : terms) add(a.freedom, b.freedom, k * a.factor * b.factor);
+    }
+  }
+  for (const auto& [freedoms, matrix] : stiffness.elements()) {
+    for (std::size_t row = 0; row < 8; ++row) {
+      for (std::size_t column = 0; column < 8; ++column) {
+        add(freedoms[row], freedoms[column], (*matrix)[8 * row + column]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+struct SparseStiffness::Factors {
+  Matrix matrix;
+  std::vector<std::size_t> places;  ///< in the values of the matrix, of all entries as they are visited
+  std::vector<Index> joined;        ///< freedoms of all springs, one after the other
+  Eigen::SimplicialLDLT<Matrix> decomposition;
+
+  [[nodiscard]] bool fits(const StiffnessSum& stiffness) const {
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < stiffness.n_springs(); ++i) {
+      for (const SpringTerm& term : stiffness.spring(i).terms) {
+        if (next == joined.size() || joined[next++] != term.freedom) return false;
+      }
+    }
+    return next == joined.size() && matrix.rows() > 0;
+  }
+
+  void analyse(const StiffnessSum& stiffness, const std::vector<double>& free) {
+    joined.clear();
+    for (std::size_t i = 0; i < stiffness.n_springs(); ++i) {
+      for (const SpringTerm& term : stiffness.spring(i).terms) joined.push_back(term.freedom);
+    }
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < free.size(); ++i) entries.emplace_back(static_cast<int>(i), static_cast<int>(i), 1.0);
+    visit_entries(stiffness, free, [&](Index a, Index b, double) { entries.emplace_back(a, b, 1.0); });
+    matrix.resize(static_cast<Eigen::Index>(free.size()), static_cast<Eigen::Index>(free.size()));
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    places.clear();
+    visit_entries(stiffness, free, [&](Index a, Index b, double) {
+      places.push_back(static_cast<std::size_t>(&matrix.coeffRef(a, b) - matrix.valuePtr()));
+    });
+    decomposition.analyzePattern(matrix);
+  }
+};
+
+SparseStiffness::SparseStiffness() : factors_(std::make_unique<Factors>()) {}
+SparseStiffness::~SparseStiffness() = default;
+
+void SparseStiffness::factorise(const StiffnessSum& stiffness, const std::vector<double>& free) {
+  if (!factors_->fits(stiffness)) factors_->analyse(stiffness, free);
+  Matrix& matrix = factors_->matrix;
+  double* values = matrix.valuePtr();
+  std::fill_n(values, matrix.nonZeros(), 0.0);
+  std::size_t next = 0;
+  visit_entries(stiffness, free, [&](Index, Index, double value) { values[factors_->places[next++]] += value; });
+  diagonal_.assign(free.size(), 1.0);
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < matrix.cols(); ++i) largest = std::max(largest, matrix.coeff(i, i));
+  for (Eigen::Index i = 0; i < matrix.cols(); ++i) {
+    double& value = matrix.coeffRef(i, i);
+    value = free[static_cast<std::size_t>(i)] != 0.0 ? value + 1e-10 * largest : 1.0;
+    diagonal_[static_cast<std::size_t>(i)] = value;
+  }
+  factors_->decomposition.factorize(matrix);
+}
+
+std::vector<double> SparseStiffness::solve(const std::vector<double>& forces) const {
+  const Eigen::Map<const Eigen::VectorXd> right(forces.data(), static_cast<Eigen::Index>(forces.size()));
+  std::vector<double> motion(forces.size());
+  Eigen::Map<Eigen::VectorXd>(motion.data(), right.size()) = factors_->decomposition.solve(right);
+  return motion;
+}
+
+}  // namespace ligament

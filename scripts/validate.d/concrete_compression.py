@@ -84,7 +84,7 @@ def compression_section(folder, verdicts):
     lines = ["## Uniaxial compression", "",
              "`config/uniaxial_compression_table4.toml` and `…table5.toml`: specimens of 200 mm × 200 mm, 100 mm thick, "
              "free to slide along the end walls; the upper wall moves by 2 μm at a time. The specimens fail all at once: what they "
-             "store at the peak is more than twice what cracks and friction take until they have come apart, and the rest is "
+             "store at the peak is about twice what cracks and friction take until they have come apart, and the rest is "
              "set free. No increment beyond the peak settles from what contacts remember of it; the one that holds the "
              "failure is relaxed live ([theory](../theory.md#loading-in-increments)), and the next row is the equilibrium "
              "after it. The peak is the last row before.", ""]

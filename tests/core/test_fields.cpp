@@ -76,7 +76,7 @@ TEST_CASE("only what the audit, the gauges and the count of breaks read off is s
     if (role == FieldRole::sampled) sampled.insert(name);
   });
   CHECK(sampled == std::set<std::string>{"ledger.scale", "ledger.largest_error", "stage.peaks", "stage.readings",
-                                         "cracks.n_tension", "cracks.n_shear"});
+                                         "stage.force_mismatch", "cracks.n_tension", "cracks.n_shear"});
 }
 
 TEST_CASE("a constant state is visited the same way") {

@@ -93,46 +93,27 @@ std::string describe_particle(const Model& model, const State& state, std::size_
                      worst_contact(model, state, particle));
 }
 
-std::string describe_node(const Model& model, const State& state, std::size_t row, const std::string& complaint) {
+std::string describe_node(const Model& model, const State& state, std::size_t row) {
   return fmt::format("node {} at {} {}{}", model.nodes.id[row],
-                     place(model.nodes.position[row], state.nodes.translation.displacement[row]), complaint,
+                     place(model.nodes.position[row], state.nodes.translation.displacement[row]), infinite,
                      worst_element(model, state, static_cast<Index>(row)));
-}
-
-std::string travel_of(const Vector& increment) {
-  return fmt::format("has moved by {:.4g} m in one step", std::sqrt(dot(increment, increment)));
-}
-
-double shortest_edge(const Model& model) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const auto& nodes : model.elements.nodes) {
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const Vector edge = model.nodes.position[nodes[(k + 1) % nodes.size()]] - model.nodes.position[nodes[k]];
-      shortest = std::min(shortest, std::sqrt(dot(edge, edge)));
-    }
-  }
-  return shortest;
 }
 
 }  // namespace
 
 StepLimits step_limits(const Model& model) {
   const auto& radii = model.particles.radius;
-  const double smallest =
-      radii.empty() ? std::numeric_limits<double>::infinity() : *std::min_element(radii.begin(), radii.end());
-  // Ends of walls are no nodes of elements, and are moved as prescribed.
-  return {.particle_travel = 2.0 * smallest, .node_travel = shortest_edge(model)};
+  return {.travel = radii.empty() ? 0.0 : 2.0 * *std::min_element(radii.begin(), radii.end())};
 }
 
 bool are_within(const State& state, const StepLimits& limits) {
-  const auto travels = [](const TranslationState& bodies, double limit) {
-    return std::all_of(bodies.increment.begin(), bodies.increment.end(),
-                       [limit](const Vector& travel) { return is_within(travel, limit); });
-  };
-  const auto& turns = state.particles.rotation.increment;
-  return travels(state.particles.translation, limits.particle_travel) &&
-         travels(state.nodes.translation, limits.node_travel) &&
-         std::all_of(turns.begin(), turns.end(), [&](Rotation turn) { return std::abs(turn) <= limits.turn; });
+  const auto& [translation, rotation] = state.particles;
+  return std::all_of(translation.increment.begin(), translation.increment.end(),
+                     [&](const Vector& travel) { return is_within(travel, limits.travel); }) &&
+         std::all_of(rotation.increment.begin(), rotation.increment.end(),
+                     [&](Rotation turn) { return std::abs(turn) <= limits.turn; }) &&
+         std::all_of(state.nodes.translation.increment.begin(), state.nodes.translation.increment.end(),
+                     [](const Vector& travel) { return is_finite(travel); });
 }
 
 std::string describe_infinite_body(const Model& model, const State& state) {
@@ -141,7 +122,7 @@ std::string describe_infinite_body(const Model& model, const State& state) {
     return describe_particle(model, state, i, infinite);
   }
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    if (!is_finite_row(state.nodes.translation, i)) return describe_node(model, state, i, infinite);
+    if (!is_finite_row(state.nodes.translation, i)) return describe_node(model, state, i);
   }
   return {};
 }
@@ -149,18 +130,15 @@ std::string describe_infinite_body(const Model& model, const State& state) {
 std::string describe_lost_body(const Model& model, const State& state, const StepLimits& limits) {
   if (std::string text = describe_infinite_body(model, state); !text.empty()) return text;
   for (std::size_t i = 0; i < model.particles.size(); ++i) {
-    const Vector& increment = state.particles.translation.increment[i];
+    const Vector& travel = state.particles.translation.increment[i];
     const Rotation turn = state.particles.rotation.increment[i];
-    if (!is_within(increment, limits.particle_travel)) {
-      return describe_particle(model, state, i, travel_of(increment));
+    if (!is_within(travel, limits.travel)) {
+      return describe_particle(model, state, i,
+                               fmt::format("has moved by {:.4g} m in one step", std::sqrt(dot(travel, travel))));
     }
     if (!(std::abs(turn) <= limits.turn)) {
       return describe_particle(model, state, i, fmt::format("has turned by {:.4g} rad in one step", turn));
     }
-  }
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    const Vector& increment = state.nodes.translation.increment[i];
-    if (!is_within(increment, limits.node_travel)) return describe_node(model, state, i, travel_of(increment));
   }
   return {};
 }

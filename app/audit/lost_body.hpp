@@ -7,12 +7,11 @@
 
 namespace ligament {
 
-/// How far bodies may move in one step (m), or turn (rad).
-/// choice: particles by the smallest diameter, nodes by the shortest edge of an element. A stable step moves a body
-/// that far only if it is as fast as sound; what is faster passes its neighbours before the search sees them.
+/// How far particles may move in one step (m), and turn (rad).
+/// choice: by the smallest diameter. A stable step moves a particle that far only if it is as fast as sound; what is
+/// faster passes its neighbours before the search sees them. Elements are linear: their nodes need only be finite.
 struct StepLimits {
-  double particle_travel = 0.0;
-  double node_travel = 0.0;
+  double travel = 0.0;
   double turn = 3.0;
 };
 StepLimits step_limits(const Model& model);

@@ -146,7 +146,8 @@ IncrementTarget IncrementalLoading::wanted_target(const State& state) const {
     }
   }
   if (fastest > 0.0) step = increment_ / fastest;
-  if (fastest > 0.0 && !gauge_.empty()) return {.step = increment_, .gauge = gauge_, .usual_time = step};
+  if (fastest > 0.0 && !gauge_.empty())
+    return {.step = increment_, .gauge = gauge_, .usual_time = std::min(step, left)};
   // A remainder that rounding leaves is no increment of its own.
   return {.step = step > (1.0 - 1e-9) * left ? left : step};
 }

@@ -135,15 +135,13 @@ schedule = { time = ["0 s", "1 s", "2 s", "3 s"], displacement = ["0 um", "10 um
         self.assert_same_results("pieces", "whole")
         self.assertGreater(self.summary("whole")["n_broken"], 100)
 
-    def test_a_gauge_that_is_followed_survives_a_stop_while_bonds_soften_and_break(self):
-        run = [TENSION, "--quiet", *settings(solver__method="secant", solver__control="opening")]
-        self.call("run", *run, "--output", "whole")
-        self.assertGreater(self.summary("whole")["n_broken"], 0)
+    def test_a_gauge_that_is_followed_survives_a_stop_while_bonds_soften(self):
+        run = [TENSION, "--quiet", *settings(solver__method="secant", solver__control="opening", solver__max_steps=24)]
+        self.call("run", *run, "--output", "whole", expect=NOT_CONVERGED)
         self.call("run", *run, "--output", "pieces", "--stop-after-steps", 1)
-        steps = self.summary("whole")["steps"]
-        for step in (9, 10, 11, steps // 2, steps - 3):
+        for step in (9, 10, 11, 20, 22):
             self.call("resume", "pieces", "--quiet", "--until-step", step)
-        self.call("resume", "pieces", "--quiet", "--threads", 2)
+        self.call("resume", "pieces", "--quiet", "--threads", 2, expect=NOT_CONVERGED)
         self.assertEqual(self.final_hash("pieces"), self.final_hash("whole"))
         self.assert_same_results("pieces", "whole")
 

@@ -13,14 +13,14 @@ using namespace ligament::support;
 
 namespace {
 
-/// The last disc moves as far as it takes, up to 100 um; increments of 0.5 um open the first bond, which is the
+/// The last disc moves as far as it takes, up to 150 um; increments of 0.5 um open the first bond, which is the
 /// weakest.
 constexpr int n_bonds = 40;
 
 Row followed_row() {
   const Index first = 0;
   const Index second = FreedomNumbers::per_particle;
-  return {n_bonds + 1, 100e-6, {}, "increment", 0.5e-6, "secant", {{first, -1.0}, {second, 1.0}}};
+  return {n_bonds + 1, 150e-6, {}, "increment", 0.5e-6, "secant", {{first, -1.0}, {second, 1.0}}};
 }
 
 double first_opening(const Row& row) { return row.state().particles.translation.displacement[1].x; }
@@ -42,7 +42,7 @@ TEST_CASE(
   const double springs = compliance(row);
   double furthest = 0.0;
   double largest_way_back = 0.0;
-  for (int i = 1; i <= 240; ++i) {
+  for (int i = 1; i <= 220; ++i) {
     REQUIRE(row.simulation.advance());
     row.simulation.audit();
     CHECK(first_opening(row) == doctest::Approx(0.5e-6 * i).epsilon(1e-9));
@@ -54,7 +54,8 @@ TEST_CASE(
   }
   CHECK(row.state().particle_contacts.bond[0] == BondState::broken);
   // From the peak to the kink of the curve.
-  CHECK(largest_way_back > 0.3 * furthest);
+  const double kink = 0.75 * fracture_energy / strength;
+  CHECK(largest_way_back == doctest::Approx(0.75 * springs * strength * row.area() - kink).epsilon(0.05));
   const double spent = fracture_energy * row.area();
   CHECK(energy(row.simulation, "fracture_tension") == doctest::Approx(spent).epsilon(1e-9));
   CHECK(energy(row.simulation, "prescribed_motions") == doctest::Approx(spent).epsilon(5e-3));
@@ -64,7 +65,7 @@ TEST_CASE(
 
 TEST_CASE("a run that is taken up in the middle of a snap-back goes on to the same bits") {
   Row whole = followed_row();
-  for (int i = 0; i < 30; ++i) REQUIRE(whole.simulation.advance());
+  for (int i = 0; i < 10; ++i) REQUIRE(whole.simulation.advance());
   const double time_before = whole.state().clock.time;
   Row other = followed_row();
   other.simulation.restore(whole.state());
@@ -102,8 +103,8 @@ TEST_CASE("an elastic structure is solved at once, with one factorisation an inc
   Simulation simulation = build_simulation(input).simulation;
   for (int i = 0; i < 2; ++i) REQUIRE(simulation.advance());
   CHECK(simulation.state().loading.n_factorisations == 2);
-  // One finds the equilibrium, one more books the work on the way to it.
-  CHECK(simulation.state().loading.n_evaluations == 4);
+  // One or two find the equilibrium, one more books the work on the way to it.
+  CHECK(simulation.state().loading.n_evaluations <= 6);
   CHECK(simulation.audit() < 1e-6);
   Field<Vector> loads(simulation.model().nodes.size());
   for (const auto& [table, view] : input.loads) {

@@ -16,8 +16,19 @@ double work(const Field<Vector>& before, const TranslationState& bodies) {
                    [&](std::size_t i) { return 0.5 * dot(before[i] + bodies.force[i], bodies.increment[i]); });
 }
 
+double work(const Field<Moment>& before, const RotationState& bodies) {
+  return block_sum(before.size(),
+                   [&](std::size_t i) { return 0.5 * (before[i] + bodies.moment[i]) * bodies.increment[i]; });
+}
+
 bool is_finite_row(const TranslationState& bodies, std::size_t i) {
   return is_finite(bodies.displacement[i]) && is_finite(bodies.velocity[i]) && is_finite(bodies.force[i]);
+}
+
+bool is_finite_row(const TurningState& bodies, std::size_t i) {
+  const RotationState& rotation = bodies.rotation;
+  return is_finite_row(bodies.translation, i) && std::isfinite(rotation.rotation[i]) &&
+         std::isfinite(rotation.spin[i]) && std::isfinite(rotation.moment[i]);
 }
 
 }  // namespace
@@ -62,27 +73,25 @@ StepAudit::Sides StepAudit::sides_of(const Simulation& simulation) {
 }
 
 double StepAudit::work_on_bodies(const State& state) const {
-  const RotationState& rotation = state.particles.rotation;
   return work(particle_force_, state.particles.translation) + work(node_force_, state.nodes.translation) +
-         block_sum(particle_moment_.size(), [&](std::size_t i) {
-           return 0.5 * (particle_moment_[i] + rotation.moment[i]) * rotation.increment[i];
-         });
+         work(beam_force_, state.beam_nodes.translation) + work(particle_moment_, state.particles.rotation) +
+         work(beam_moment_, state.beam_nodes.rotation);
 }
 
 void StepAudit::remember(const State& state) {
   particle_force_ = state.particles.translation.force;
   particle_moment_ = state.particles.rotation.moment;
   node_force_ = state.nodes.translation.force;
+  beam_force_ = state.beam_nodes.translation.force;
+  beam_moment_ = state.beam_nodes.rotation.moment;
 }
 
 std::string find_infinite_body(const Model& model, const State& state) {
-  const RotationState& rotation = state.particles.rotation;
   for (std::size_t i = 0; i < model.particles.size(); ++i) {
-    if (is_finite_row(state.particles.translation, i) && std::isfinite(rotation.rotation[i]) &&
-        std::isfinite(rotation.spin[i]) && std::isfinite(rotation.moment[i])) {
-      continue;
-    }
-    return fmt::format("particle {}", model.particles.id[i]);
+    if (!is_finite_row(state.particles, i)) return fmt::format("particle {}", model.particles.id[i]);
+  }
+  for (std::size_t i = 0; i < model.beam_nodes.size(); ++i) {
+    if (!is_finite_row(state.beam_nodes, i)) return fmt::format("node {} of a beam", model.beam_nodes.id[i]);
   }
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     if (!is_finite_row(state.nodes.translation, i)) return fmt::format("node {}", model.nodes.id[i]);

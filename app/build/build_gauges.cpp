@@ -7,22 +7,26 @@
 
 #include "build/select_bodies.hpp"
 #include "contact/region_mean.hpp"
+#include "integrator/platens.hpp"
 #include "integrator/prescribed_motion.hpp"
 
 namespace ligament {
 namespace {
 
-/// The node or particle that a gauge watches.
+/// The node, particle or node of a beam that a gauge watches.
 struct WatchedBody {
-  bool is_node = true;
+  BodyTable body = BodyTable::node;
   Index row = -1;
   int axis = 0;
 
-  [[nodiscard]] const TranslationState& table(const State& state) const {
-    return is_node ? state.nodes.translation : state.particles.translation;
+  [[nodiscard]] double displacement(const State& state) const {
+    return component(translation_of(state, body).displacement[row], axis);
   }
-  [[nodiscard]] const Field<Vector>& free(const Model& model) const {
-    return is_node ? model.nodes.free : model.particles.free;
+  [[nodiscard]] double holding(const Model& model, const State& state) const {
+    const Vector force = body == BodyTable::node
+                             ? holding_force(model, state, row)
+                             : reaction(translation_of(state, body), free_of(model, body), state.clock, row);
+    return component(force, axis);
   }
 };
 
@@ -40,8 +44,13 @@ std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, con
       continue;
     }
     const SelectedBodies selected = select_bodies(model, support->table.bodies, input.file, support->view);
-    for (const Index row : selected.nodes) bodies.push_back({true, row, axis_of(point)});
-    for (const Index row : selected.particles) bodies.push_back({false, row, axis_of(point)});
+    const int axis = axis_of(point);
+    for (const Index row : selected.nodes) bodies.push_back({BodyTable::node, row, axis});
+    for (const Index row : selected.particles) bodies.push_back({BodyTable::particle, row, axis});
+    for (const Index row : selected.beam_nodes) bodies.push_back({BodyTable::beam_node, row, axis});
+    for (const Index row : selected.platens) {
+      bodies.push_back({BodyTable::beam_node, model.platens[row].translation, axis});
+    }
   }
   return bodies;
 }
@@ -50,23 +59,36 @@ std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, con
 WatchedBody nearest_body(const Model& model, const Vector& place, int axis) {
   WatchedBody nearest{.axis = axis};
   double least = std::numeric_limits<double>::infinity();
-  const auto see = [&](const Vector& position, bool is_node, std::size_t row) {
+  const auto see = [&](const Vector& position, BodyTable body, std::size_t row) {
     const double distance = norm(position - place);
     if (distance >= least) return;
     least = distance;
-    nearest.is_node = is_node;
+    nearest.body = body;
     nearest.row = static_cast<Index>(row);
   };
-  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) see(model.nodes.position[i], true, i);
-  for (std::size_t i = 0; i < model.particles.size(); ++i) see(model.particles.position[i], false, i);
+  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) see(model.nodes.position[i], BodyTable::node, i);
+  for (std::size_t i = 0; i < model.particles.size(); ++i) see(model.particles.position[i], BodyTable::particle, i);
   return nearest;
 }
 
 Gauge opening_gauge(const std::string& name, const WatchedBody& from, const WatchedBody& to) {
   return {name, name + "_m", [from, to](const Model&, const State& state) {
-            return component(to.table(state).displacement[to.row], to.axis) -
-                   component(from.table(state).displacement[from.row], from.axis);
+            return to.displacement(state) - from.displacement(state);
           }};
+}
+
+std::vector<WatchedBody> node_of_beam(Case& input, const Model& model, const GaugePoint& point, const TableView& view,
+                                      const char* key) {
+  const Beam* beam = find_beam(model, *point.beam, input.file, view, key);
+  if (beam == nullptr) return {};
+  const std::int64_t number = point.node.value_or(0);
+  if (number >= 1 && number <= beam->n_nodes) {
+    return {{BodyTable::beam_node, beam->first_node + static_cast<Index>(number - 1), axis_of(point)}};
+  }
+  input.file.add_error(input.file.position(view, key),
+                       fmt::format("'{}' needs the number of a 'node' of beam '{}', from 1 to {} {}", key, beam->name,
+                                   beam->n_nodes, view.where()));
+  return {};
 }
 
 /// What a gauge watches: a body, or both ends of a wall; none if the case is wrong.
@@ -82,14 +104,16 @@ std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const Gaug
   }
   if (!point.supports.empty()) return bodies_of_supports(input, model, point, view, key);
   if (point.wall) {
-    const auto nodes = find_wall(model, *point.wall, input.file, view, key);
-    if (!nodes) return {};
-    return {{true, (*nodes)[0], axis_of(point)}, {true, (*nodes)[1], axis_of(point)}};
+    const auto wall = find_wall(model, *point.wall, input.file, view, key);
+    if (!wall) return {};
+    const auto nodes = model.wall_nodes(*wall);
+    return {{BodyTable::node, nodes[0], axis_of(point)}, {BodyTable::node, nodes[1], axis_of(point)}};
   }
+  if (point.beam) return node_of_beam(input, model, point, view, key);
   const bool is_node = point.node.has_value();
   const std::int64_t number = is_node ? *point.node : *point.particle;
   const Index row = row_of_id(is_node ? model.nodes.id : model.particles.id, number);
-  if (row >= 0) return {{is_node, row, axis_of(point)}};
+  if (row >= 0) return {{is_node ? BodyTable::node : BodyTable::particle, row, axis_of(point)}};
   input.file.add_error(position,
                        fmt::format("there is no {} {} {}: it is beyond the last one or a zone has replaced it",
                                    is_node ? "node" : "particle", number, view.where()));
@@ -101,7 +125,7 @@ Gauge displacement_gauge(const std::string& name, const std::vector<WatchedBody>
   return {name, name + "_m", [bodies](const Model&, const State& state) {
             double sum = 0.0;
             for (const WatchedBody& body : bodies) {
-              sum += component(body.table(state).displacement[body.row], body.axis);
+              sum += body.displacement(state);
             }
             return sum / static_cast<double>(bodies.size());
           }};
@@ -111,7 +135,7 @@ Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bo
   return {name, name + "_N", [bodies](const Model& model, const State& state) {
             double sum = 0.0;
             for (const WatchedBody& body : bodies) {
-              sum += component(reaction(body.table(state), body.free(model), state.clock, body.row), body.axis);
+              sum += body.holding(model, state);
             }
             return sum;
           }};
@@ -120,7 +144,7 @@ Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bo
 void check_is_held(Case& input, const Model& model, const std::vector<WatchedBody>& bodies,
                    const std::string& direction, const TableView& view) {
   const bool is_held = std::all_of(bodies.begin(), bodies.end(), [&](const WatchedBody& body) {
-    return component(body.free(model)[body.row], body.axis) == 0.0;
+    return component(free_of(model, body.body)[body.row], body.axis) == 0.0;
   });
   if (is_held) return;
   input.file.add_error(input.file.position(view, "reaction"),

@@ -9,6 +9,7 @@
 #include "contact/contact_forces.hpp"
 #include "contact/grid_contact_detector.hpp"
 #include "integrator/gravity.hpp"
+#include "mesh/beam_forces.hpp"
 #include "mesh/element_forces.hpp"
 
 namespace ligament {
@@ -26,7 +27,9 @@ std::vector<std::unique_ptr<ForceProvider>> force_providers(const Case& input, s
   providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
   providers.push_back(std::make_unique<ContactForces<FacetPairing>>());
   providers.push_back(std::make_unique<ContactForces<CornerPairing>>());
+  providers.push_back(std::make_unique<ContactForces<SeatPairing>>());
   providers.push_back(std::make_unique<ElementForces>());
+  if (!input.beams.empty()) providers.push_back(std::make_unique<BeamForces>());
   providers.push_back(std::make_unique<AppliedLoads>(std::move(loads)));
   if (const Vector gravity = to_vector(input.problem.gravity); gravity != Vector{}) {
     providers.push_back(std::make_unique<Gravity>(gravity));

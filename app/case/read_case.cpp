@@ -118,6 +118,7 @@ Case read_case(const std::filesystem::path& path, const std::vector<std::string>
   read_single(file, "generation", input.generation);
   input.zones = read_zones(file, input.files);
   input.notches = read_array<NotchTable>(file, "notch");
+  input.beams = read_array<BeamTable>(file, "beam");
   input.walls = read_array<WallTable>(file, "wall");
   input.supports = read_array<SupportTable>(file, "support");
   input.motions = read_array<MotionTable>(file, "motion");

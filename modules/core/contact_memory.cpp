@@ -8,12 +8,14 @@ void ContactMemory::take(const State& state) {
   take(state.particle_contacts, particles_);
   take(state.facet_contacts, facets_);
   take(state.corner_contacts, corners_);
+  take(state.seat_contacts, seats_);
 }
 
 void ContactMemory::put_back(State& state) const {
   put_back(particles_, state.particle_contacts);
   put_back(facets_, state.facet_contacts);
   put_back(corners_, state.corner_contacts);
+  put_back(seats_, state.seat_contacts);
 }
 
 void ContactMemory::take(const ContactTable& contacts, Table& memory) {

@@ -28,6 +28,7 @@ class ContactMemory {
   Table particles_;
   Table facets_;
   Table corners_;
+  Table seats_;
 };
 
 }  // namespace ligament

@@ -20,9 +20,9 @@ Vector sum_of_free(const TranslationState& bodies, const Field<Vector>& free) {
 }
 
 Index number_of(const FreedomNumbers& numbers, const PrescribedFreedom& freedom) {
-  if (freedom.axis == dimension) return numbers.rotation(freedom.row);
-  return freedom.body == PrescribedFreedom::Body::node ? numbers.node(freedom.row, freedom.axis)
-                                                       : numbers.particle(freedom.row, freedom.axis);
+  if (freedom.body == BodyTable::beam_node) return numbers.beam_node(freedom.row, freedom.axis);
+  if (freedom.body == BodyTable::node) return numbers.node(freedom.row, freedom.axis);
+  return numbers.particle(freedom.row, freedom.axis);
 }
 
 /// Most of what may be extrapolated: an increment that took more evaluations held a jump, which will not come again.
@@ -118,10 +118,11 @@ void IncrementalLoading::begin(const Model& model, State& state, const ForceEval
   state.particles.translation.increment.assign(model.particles.size(), Vector{});
   state.particles.rotation.increment.assign(model.particles.size(), 0.0);
   state.nodes.translation.increment.assign(model.nodes.size(), Vector{});
+  state.beam_nodes.translation.increment.assign(model.beam_nodes.size(), Vector{});
+  state.beam_nodes.rotation.increment.assign(model.beam_nodes.size(), 0.0);
   start_.time = state.clock.time;
   start_.contacts.take(state);
-  start_.particles = state.particles;
-  start_.nodes = state.nodes;
+  start_.bodies.take(state);
   start_.forces = all_forces(model, state);
   start_.loads = applied_loads(model, state, evaluation);
 }
@@ -129,18 +130,16 @@ void IncrementalLoading::begin(const Model& model, State& state, const ForceEval
 void IncrementalLoading::restore(State& state) const {
   state.clock.time = start_.time;
   start_.contacts.put_back(state);
-  state.particles = start_.particles;
-  state.nodes = start_.nodes;
+  start_.bodies.put_back(state);
 }
 
 std::vector<double> IncrementalLoading::applied_loads(const Model& model, State& state,
                                                       const ForceEvaluation& evaluation) {
-  const ParticleState particles = state.particles;
-  const NodeState nodes = state.nodes;
+  BodyMemory bodies;
+  bodies.take(state);
   evaluation.add_applied_loads();
   std::vector<double> loads = all_forces(model, state);
-  state.particles = particles;
-  state.nodes = nodes;
+  bodies.put_back(state);
   return loads;
 }
 
@@ -212,7 +211,8 @@ std::vector<double> IncrementalLoading::prescribed_motion(const Model& model, co
 bool IncrementalLoading::is_settled(const Model& model, const State& state, const ForceEvaluation& evaluation) {
   // Internal forces balance each other, so that what free bodies lack is what external forces lack.
   const Vector lacking = sum_of_free(state.particles.translation, model.particles.free) +
-                         sum_of_free(state.nodes.translation, model.nodes.free);
+                         sum_of_free(state.nodes.translation, model.nodes.free) +
+                         sum_of_free(state.beam_nodes.translation, model.beam_nodes.free);
   through_force_ = 0.5 * block_sum(forces_.size(), [&](std::size_t i) {
                      return (1.0 - free_[i]) * std::abs(forces_[i] - loads_[i]) + std::abs(loads_[i]);
                    });
@@ -256,13 +256,12 @@ IncrementalLoading::Work IncrementalLoading::line_work(const Model& model, State
                                                        const ForceEvaluation& evaluation,
                                                        const std::vector<double>& motion, bool is_smooth) {
   const double time = state.clock.time;
-  const ParticleState particles = state.particles;
-  const NodeState nodes = state.nodes;
+  BodyMemory bodies;
+  bodies.take(state);
   ContactMemory contacts;
   contacts.take(state);
   const auto rate_at = [&](double share) {
-    state.particles = start_.particles;
-    state.nodes = start_.nodes;
+    start_.bodies.put_back(state);
     state.clock.time = start_.time + share * (time - start_.time);
     std::vector<double> part(motion);
     for (double& value : part) value *= share;
@@ -282,8 +281,7 @@ IncrementalLoading::Work IncrementalLoading::line_work(const Model& model, State
   const auto internal = [](const Work& value) { return value.of_all - value.of_loads; };
   const Work work = line_integral(begin, end, rate_at, internal, fewest_intervals, tolerance * scale);
   state.clock.time = time;
-  state.particles = particles;
-  state.nodes = nodes;
+  bodies.put_back(state);
   contacts.put_back(state);
   return work;
 }

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/body_memory.hpp"
 #include "core/contact_memory.hpp"
 #include "core/force_provider.hpp"
 #include "integrator/adaptive_momenta.hpp"
@@ -46,8 +47,7 @@ class IncrementalLoading : public EnergySource {
   struct Start {
     double time = 0.0;
     ContactMemory contacts;
-    ParticleState particles;
-    NodeState nodes;
+    BodyMemory bodies;
     std::vector<double> forces;  ///< of all freedoms, prescribed ones included
     std::vector<double> loads;
   };

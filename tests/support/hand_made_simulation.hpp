@@ -12,6 +12,7 @@
 #include "integrator/loads.hpp"
 #include "integrator/no_damping.hpp"
 #include "integrator/prescribed_motion.hpp"
+#include "mesh/beam_forces.hpp"
 #include "mesh/element_forces.hpp"
 #include "simulation.hpp"
 
@@ -34,7 +35,9 @@ inline Simulation make_simulation(Model model, SimulationChoice choice = {}) {
   modules.force_providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
   modules.force_providers.push_back(std::make_unique<ContactForces<FacetPairing>>());
   modules.force_providers.push_back(std::make_unique<ContactForces<CornerPairing>>());
+  modules.force_providers.push_back(std::make_unique<ContactForces<SeatPairing>>());
   if (model.elements.size() > 0) modules.force_providers.push_back(std::make_unique<ElementForces>());
+  if (model.beam_elements.size() > 0) modules.force_providers.push_back(std::make_unique<BeamForces>());
   if (!choice.loads.empty()) {
     modules.force_providers.push_back(std::make_unique<AppliedLoads>(std::move(choice.loads)));
   }

@@ -43,7 +43,7 @@ std::vector<Notch> build_notches(Case& input) {
       continue;
     }
     notches.push_back(
-        {.name = table.name, .from = to_vector(table.from), .to = to_vector(table.to), .width = table.width});
+        {.name = table.name, .from = to_vector(table.from), .to = to_vector(table.to), .width = table.width, .gap = table.gap});
     if (input.mesh) check_elements(input, notches.back(), view);
   }
   input.file.throw_collected_errors();

@@ -4,6 +4,7 @@
 
 #include "build/build_gauges.hpp"
 #include "build/build_notches.hpp"
+#include "build/build_walls.hpp"
 #include "build/check_contacts.hpp"
 #include "build/unsupported_bodies.hpp"
 #include "contact/contact_forces.hpp"
@@ -77,6 +78,7 @@ BuiltSimulation build_simulation(Case& input) {
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
   check_contacts(input, result.simulation.model(), result.simulation.state());
   refuse_idle_notches(input, result.simulation.model());
+  refuse_idle_walls(input, result.simulation.model(), result.simulation.state());
   check_supports(input, result.simulation);
   input.file.throw_collected_errors();
   return result;

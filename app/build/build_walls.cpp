@@ -109,9 +109,6 @@ void check_wall(Case& input, const Model& model, const WallTable& table, const T
   };
   const bool is_platen = table.driven_by == WallDrive::force;
   if (table.from == table.to) refuse("to", "the wall has no length");
-  if (model.particles.size() + model.elements.size() == 0) {
-    refuse("name", "there is nothing for the wall to touch: give a [[zone]] or a [mesh]");
-  }
   if (table.beam && !is_platen) refuse("beam", "a wall that rests on a beam needs driven_by = \"force\"");
   if (table.mass && !is_platen) refuse("mass", "the mass of a wall counts with driven_by = \"force\" alone");
   if (is_platen && !table.mass && input.solver.time_step.masses == Masses::real) {
@@ -129,6 +126,20 @@ void add_walls(Case& input, Model& model) {
     model.walls.push_back(make_wall(table, model));
     if (table.driven_by == WallDrive::force) add_platen(input, table, view, model);
   }
+}
+
+void refuse_idle_walls(Case& input, const Model& model, const State& state) {
+  if (model.particles.size() > 0) return;
+  for (std::size_t wall = 0; wall < model.walls.size(); ++wall) {
+    const auto facet = static_cast<Index>(model.n_element_facets() + wall);
+    const Field<Index>& facets = state.seat_contacts.second;
+    if (std::find(facets.begin(), facets.end(), facet) != facets.end()) continue;
+    const TableView& view = input.walls[wall].view;
+    input.file.add_error(input.file.position(view),
+                         fmt::format("there are no particles, and no nodes of elements on it, for the wall to touch {}",
+                                     view.where()));
+  }
+  input.file.throw_collected_errors();
 }
 
 }  // namespace ligament

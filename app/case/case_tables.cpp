@@ -80,6 +80,11 @@ void NotchTable::declare(Parameters& parameters) {
                 "0: contacts that cross the notch lose their bond; more: particles with their centre in a slit of this "
                 "width, and elements in it, are taken away as well")
       .at_least(0.0);
+  parameters
+      .quantity("gap", gap, "m",
+                "by how much the faces stand apart: contacts that the notch cuts press only when this is closed; of a "
+                "sawn notch its width, though no particle is taken away")
+      .at_least(0.0);
 }
 
 void BeamTable::declare(Parameters& parameters) {

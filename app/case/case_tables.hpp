@@ -81,6 +81,7 @@ struct NotchTable {
   std::array<double, 2> from{};
   std::array<double, 2> to{};
   double width = 0.0;
+  double gap = 0.0;
 
   void declare(Parameters& parameters);
 };

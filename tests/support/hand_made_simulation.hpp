@@ -22,6 +22,7 @@ namespace ligament::support {
 struct SimulationChoice {
   double skin = 1e-3;  ///< (m)
   TimeStepChoice time_step{.masses = Masses::real, .factor = 0.1};
+  std::unique_ptr<Integrator> integrator = {};  ///< in place of central differences
   std::unique_ptr<Damping> damping = std::make_unique<NoDamping>();
   std::vector<PointLoad> loads = {};
   std::vector<PrescribedFreedom> prescribed = {};
@@ -30,7 +31,8 @@ struct SimulationChoice {
 
 inline Simulation make_simulation(Model model, SimulationChoice choice = {}) {
   Modules modules;
-  modules.integrator = std::make_unique<CentralDifference>(std::move(choice.damping));
+  modules.integrator = choice.integrator ? std::move(choice.integrator)
+                                         : std::make_unique<CentralDifference>(std::move(choice.damping));
   modules.contact_detector = std::make_unique<GridContactDetector>(choice.skin);
   modules.force_providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
   modules.force_providers.push_back(std::make_unique<ContactForces<FacetPairing>>());

@@ -94,7 +94,7 @@ TEST_CASE("names that are empty or no text") {
 TEST_CASE("empty lists") {
   check_edit("x = [\"0 m\", \"1 m\", \"2 m\", \"3 m\"]", "x = []", "'x' has 0 items, but must have at least 2 items",
              "[]");
-  check_edit("nodes = [4, 16]", "nodes = []", "no bodies in [[load]] 'tip': give 'at', 'nodes' or 'particles'",
+  check_edit("nodes = [4, 16]", "nodes = []", "no bodies in [[load]] 'tip': give 'at', 'nodes', 'particles', 'beam' or 'walls'",
              "[[load]]");
   check_edit("fix = [\"y\"]", "fix = []", "'fix' has 0 items, but must have at least 1 item", "[]");
   check_edit("force = [\"1 kN\", \"0 N\"]", "force = []", "'force' has 0 items, but must have 2 items", "[]");

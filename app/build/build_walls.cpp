@@ -103,7 +103,7 @@ void add_platen(Case& input, const WallTable& table, const TableView& view, Mode
   model.platens.push_back(platen);
 }
 
-void check_wall(Case& input, const Model& model, const WallTable& table, const TableView& view) {
+void check_wall(Case& input, const WallTable& table, const TableView& view) {
   const auto refuse = [&](const char* key, const std::string& text) {
     input.file.add_error(input.file.position(view, key), fmt::format("{} {}", text, view.where()));
   };
@@ -119,7 +119,7 @@ void check_wall(Case& input, const Model& model, const WallTable& table, const T
 }  // namespace
 
 void add_walls(Case& input, Model& model) {
-  for (const auto& [table, view] : input.walls) check_wall(input, model, table, view);
+  for (const auto& [table, view] : input.walls) check_wall(input, table, view);
   input.file.throw_collected_errors();
   for (const auto& [table, view] : input.walls) {
     add_nodes(table, nearest_middle(model, table), model);

@@ -72,9 +72,8 @@ WatchedBody nearest_body(const Model& model, const Vector& place, int axis) {
 }
 
 Gauge opening_gauge(const std::string& name, const WatchedBody& from, const WatchedBody& to) {
-  return {name, name + "_m", [from, to](const Model&, const State& state) {
-            return to.displacement(state) - from.displacement(state);
-          }};
+  return {name, name + "_m",
+          [from, to](const Model&, const State& state) { return to.displacement(state) - from.displacement(state); }};
 }
 
 std::vector<WatchedBody> node_of_beam(Case& input, const Model& model, const GaugePoint& point, const TableView& view,

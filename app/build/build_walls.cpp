@@ -135,9 +135,9 @@ void refuse_idle_walls(Case& input, const Model& model, const State& state) {
     const Field<Index>& facets = state.seat_contacts.second;
     if (std::find(facets.begin(), facets.end(), facet) != facets.end()) continue;
     const TableView& view = input.walls[wall].view;
-    input.file.add_error(input.file.position(view),
-                         fmt::format("there are no particles, and no nodes of elements on it, for the wall to touch {}",
-                                     view.where()));
+    input.file.add_error(
+        input.file.position(view),
+        fmt::format("there are no particles, and no nodes of elements on it, for the wall to touch {}", view.where()));
   }
   input.file.throw_collected_errors();
 }

@@ -20,8 +20,8 @@ struct SelectedBodies {
 SelectedBodies select_bodies(const Model& model, const BodySelection& selection, CaseFile& file, const TableView& view);
 
 /// A wall by its name; if there is none of this name, nothing, and an error of the case file at this key.
-std::optional<std::size_t> find_wall(const Model& model, const std::string& name, CaseFile& file,
-                                              const TableView& view, const char* key);
+std::optional<std::size_t> find_wall(const Model& model, const std::string& name, CaseFile& file, const TableView& view,
+                                     const char* key);
 
 /// A beam, likewise.
 const Beam* find_beam(const Model& model, const std::string& name, CaseFile& file, const TableView& view,

@@ -209,8 +209,8 @@ Structure collect_bodies(const Model& model, const State& state) {
     for (int axis = 0; axis < dimension; ++axis) {
       Vector direction;
       set_component(direction, axis, 1.0);
-      structure.links.push_back({body_of_beam_node(platen.rotation), body_of_beam_node(platen.translation),
-                                 motion_along(direction, place)});
+      structure.links.push_back(
+          {body_of_beam_node(platen.rotation), body_of_beam_node(platen.translation), motion_along(direction, place)});
     }
   }
   for (const Link& link : structure.links) {

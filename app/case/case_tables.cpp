@@ -91,7 +91,9 @@ void BeamTable::declare(Parameters& parameters) {
   parameters.quantities("x", x, "m", "positions of the nodes, from one end to the other").required().length_at_least(2);
   parameters.quantities("y", y, "m", "positions of the nodes, as many").required().length_at_least(2);
   parameters.text("material", material, "name of the material").required();
-  parameters.quantity("depth", depth, "m", "height of the rectangular section, in the plane").required().greater_than(0.0);
+  parameters.quantity("depth", depth, "m", "height of the rectangular section, in the plane")
+      .required()
+      .greater_than(0.0);
   parameters.quantity("width", width, "m", "width of the section, across the plane").required().greater_than(0.0);
   parameters.choice(
       "theory", theory, {{"euler_bernoulli", BeamTheory::euler_bernoulli}, {"timoshenko", BeamTheory::timoshenko}},
@@ -122,7 +124,8 @@ void BodySelection::declare(Parameters& parameters) {
   parameters.integers("nodes", nodes, "numbers of nodes in the full grid, row by row from the bottom left, from 1")
       .at_least(1);
   parameters.integers("particles", particles, "numbers of particles, from 1").at_least(1);
-  parameters.text("beam", beam, "name of a beam: 'nodes' then count its nodes, from 1, and 'at' finds them; alone: all");
+  parameters.text("beam", beam,
+                  "name of a beam: 'nodes' then count its nodes, from 1, and 'at' finds them; alone: all");
   parameters.texts("walls", walls, "names of walls; in loads and supports those that are driven by force");
 }
 

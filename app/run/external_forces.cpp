@@ -26,8 +26,8 @@ ExternalForces external_forces(const Simulation& simulation, const std::vector<P
                    sum(state.beam_nodes.translation.force);
   for (const PrescribedFreedom& freedom : freedoms) {
     if (freedom.axis >= dimension) continue;
-    const Vector holding = reaction(translation_of(state, freedom.body), free_of(model, freedom.body), state.clock,
-                                    freedom.row);
+    const Vector holding =
+        reaction(translation_of(state, freedom.body), free_of(model, freedom.body), state.clock, freedom.row);
     const double force = component(holding, freedom.axis);
     Vector& side = freedom.motions.empty() ? forces.supporting : forces.driving;
     set_component(side, freedom.axis, component(side, freedom.axis) + force);

@@ -150,18 +150,17 @@ void fill_particle_contact(const Model& model, const State& state, ContactTable&
 
 void fill_facet_contact(const Model& model, const State& state, ContactTable& contacts, std::size_t row) {
   const SetupPair pair = pair_at(contacts, row);
-  fill_interface_contact(
-      model, contacts, row,
-      {facet_rest_distance(model, pair), is_setup_pair(model.facet_pairs, pair), facet_gap(model, pair),
-       wall_of_facet(model, pair)});
+  fill_interface_contact(model, contacts, row,
+                         {facet_rest_distance(model, pair), is_setup_pair(model.facet_pairs, pair),
+                          facet_gap(model, pair), wall_of_facet(model, pair)});
   measure_opening<FacetPairing>(model, state, contacts, row);
 }
 
 void fill_corner_contact(const Model& model, const State& state, ContactTable& contacts, std::size_t row) {
   const SetupPair pair = pair_at(contacts, row);
-  fill_interface_contact(
-      model, contacts, row,
-      {corner_rest_distance(model, pair), is_setup_pair(model.corner_pairs, pair), corner_gap(model, pair), model.wall_of_node(pair.second)});
+  fill_interface_contact(model, contacts, row,
+                         {corner_rest_distance(model, pair), is_setup_pair(model.corner_pairs, pair),
+                          corner_gap(model, pair), model.wall_of_node(pair.second)});
   measure_opening<CornerPairing>(model, state, contacts, row);
 }
 

@@ -189,17 +189,15 @@ struct SeatPairing {
   }
 
   static std::array<EndForce, n_ends> end_forces(const ContactGeometry& geometry, const ContactPointForce& contact) {
-    return {{{-contact.force, 0.0},
-             {(1.0 - geometry.share) * contact.force, 0.0},
-             {geometry.share * contact.force, 0.0}}};
+    return {
+        {{-contact.force, 0.0}, {(1.0 - geometry.share) * contact.force, 0.0}, {geometry.share * contact.force, 0.0}}};
   }
 
   static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
                             StiffnessBounds& bounds) {
     const ContactTable& contacts = state.seat_contacts;
     const auto& [i, j] = model.facets.nodes[contacts.second[row]];
-    const ContactBound bound =
-        contact_bound(contacts.normal_stiffness[row], contacts.shear_stiffness[row], 0.0, 0.0);
+    const ContactBound bound = contact_bound(contacts.normal_stiffness[row], contacts.shear_stiffness[row], 0.0, 0.0);
     bounds.node_translation[contacts.first[row]] += bound.translation;
     bounds.node_translation[i] += std::abs(1.0 - geometry.share) * bound.translation;
     bounds.node_translation[j] += std::abs(geometry.share) * bound.translation;

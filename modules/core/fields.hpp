@@ -157,8 +157,8 @@ void visit_fields(Table& table, Visitor&& visit) {
 /// All fields of the state, as visit(name, field, role), names as "<table>.<field>".
 template <TableOf<State> Table, class Visitor>
 void visit_fields(Table& state, Visitor&& visit) {
-  auto& [clock, particles, nodes, beam_nodes, platens, particle_contacts, facet_contacts, corner_contacts, seat_contacts, search, stage, relaxation,
-         loading, cracks, ledger] = state;
+  auto& [clock, particles, nodes, beam_nodes, platens, particle_contacts, facet_contacts, corner_contacts,
+         seat_contacts, search, stage, relaxation, loading, cracks, ledger] = state;
   const auto visit_table = [&visit](const std::string& name, auto& table) {
     visit_fields(table, [&](const std::string& field_name, auto& field, FieldRole role) {
       visit(name + "." + field_name, field, role);

@@ -69,7 +69,8 @@ struct BeamNodeData {
   [[nodiscard]] std::size_t size() const { return position.size(); }
 };
 
-/// 2-node beam elements of small deflection, each as the three springs that its stiffness consists of; see beam_springs.
+/// 2-node beam elements of small deflection, each as the three springs that its stiffness consists of; see
+/// beam_springs.
 struct BeamElementData {
   Field<std::array<Index, 2>> nodes;  ///< rows of Model::beam_nodes
   Field<double> axial;                ///< E A / L (N/m)
@@ -128,8 +129,9 @@ struct SetupPair {
   friend auto operator<=>(const SetupPair&, const SetupPair&) = default;
 };
 
-/// A rigid segment whose motion is prescribed, or that forces move if it is a platen: a facet without an element. Its two end nodes follow those of the mesh
-/// in Model::nodes, its facet those of the elements in Model::facets, wall by wall.
+/// A rigid segment whose motion is prescribed, or that forces move if it is a platen: a facet without an element. Its
+/// two end nodes follow those of the mesh in Model::nodes, its facet those of the elements in Model::facets, wall by
+/// wall.
 struct Wall {
   std::string name;
   Index bond_law = -1;     ///< row of Model::laws for particles tied to it at set-up; -1 if it ties none

@@ -79,8 +79,9 @@ struct ContactTable {
   Field<Index> first;   ///< A, "U1"
   Field<Index> second;  ///< B, "U2"
   // Constant while the contact lives.
-  Field<double> rest_distance;     ///< distance of the bodies at rest (m)
-  Field<double> initial_gap;       ///< rest distance less the reference distance d_ref (m); of pairs of set-up that of a notch
+  Field<double> rest_distance;  ///< distance of the bodies at rest (m)
+  Field<double>
+      initial_gap;  ///< rest distance less the reference distance d_ref (m); of pairs of set-up that of a notch
   Field<double> normal_stiffness;  ///< k_n (N/m)
   Field<double> shear_stiffness;   ///< k_s (N/m)
   Field<double> area;              ///< A = H t (m2)

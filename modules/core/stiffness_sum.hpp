@@ -20,9 +20,7 @@ struct FreedomNumbers {
       : n_particles(model.particles.size()), n_nodes(model.nodes.size()), n_beam_nodes(model.beam_nodes.size()) {}
 
   static constexpr std::size_t per_particle = dimension + 1;
-  [[nodiscard]] std::size_t count() const {
-    return per_particle * (n_particles + n_beam_nodes) + dimension * n_nodes;
-  }
+  [[nodiscard]] std::size_t count() const { return per_particle * (n_particles + n_beam_nodes) + dimension * n_nodes; }
   [[nodiscard]] Index particle(Index row, int axis) const { return static_cast<Index>(per_particle * row + axis); }
   [[nodiscard]] Index rotation(Index row) const { return particle(row, dimension); }
   [[nodiscard]] Index node(Index row, int axis) const {

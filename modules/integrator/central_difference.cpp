@@ -156,10 +156,10 @@ void CentralDifference::book_work(const Model& model, State& state) {
 
 std::vector<EnergyTerm> CentralDifference::energies(const Model& model, const State& state) const {
   std::vector<EnergyTerm> terms{{"kinetic_particles", EnergyKind::kinetic, kinetic_energy(state.particles.translation)},
-          {"kinetic_rotation", EnergyKind::kinetic, kinetic_energy(state.particles.rotation)},
-          {"kinetic_nodes", EnergyKind::kinetic, kinetic_energy(state.nodes.translation)},
-          {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(ledger_lines::damping)},
-          {"step_change", EnergyKind::work, state.ledger.total(step_change_line)}};
+                                {"kinetic_rotation", EnergyKind::kinetic, kinetic_energy(state.particles.rotation)},
+                                {"kinetic_nodes", EnergyKind::kinetic, kinetic_energy(state.nodes.translation)},
+                                {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(ledger_lines::damping)},
+                                {"step_change", EnergyKind::work, state.ledger.total(step_change_line)}};
   if (model.beam_nodes.size() > 0) {
     terms.push_back({"kinetic_beams", EnergyKind::kinetic,
                      kinetic_energy(state.beam_nodes.translation) + kinetic_energy(state.beam_nodes.rotation)});

@@ -15,7 +15,8 @@ Rectangle extent_of(const Model& model);
 
 /// Motions of the structure as a whole: a grid of large cells over it, with a displacement at every corner, bilinear in
 /// between. Bodies move with the grid, particles turn with it, θ = ½ (∂v/∂x - ∂u/∂y); prescribed freedoms do not move.
-/// Nodes of beams, which are few and lie on the structure rather than in it, have their own freedoms among the coarse ones.
+/// Nodes of beams, which are few and lie on the structure rather than in it, have their own freedoms among the coarse
+/// ones.
 class CoarseSpace {
  public:
   /// Cells are squares of about this size (m). `stiffness` is that of all freedoms.
@@ -47,8 +48,8 @@ class CoarseSpace {
                                                              std::array<double, dimension>& local) const;
   };
 
-  /// Numbers of coarse freedoms: those of a beam node come after the corner that it is near, which keeps the band of K_c
-  /// narrow.
+  /// Numbers of coarse freedoms: those of a beam node come after the corner that it is near, which keeps the band of
+  /// K_c narrow.
   struct Numbers {
     std::vector<Index> corner;     ///< first freedom of every corner
     std::vector<Index> beam_node;  ///< first freedom of every beam node

@@ -82,11 +82,11 @@ void use_real_masses(const Model& model, State& state) {
 void use_scaled_masses(const Model& model, State& state, const StiffnessBounds& bounds, double safety) {
   const double time_step = state.clock.time_step;
   state.particles.translation.mass = scaled_masses(bounds.particle_translation, time_step, safety);
-  state.particles.rotation.inertia = scaled_inertias(model.particles.radius, bounds.particle_rotation, time_step, safety);
+  state.particles.rotation.inertia =
+      scaled_inertias(model.particles.radius, bounds.particle_rotation, time_step, safety);
   state.nodes.translation.mass = scaled_masses(bounds.node_translation, time_step, safety);
   state.beam_nodes.translation.mass = scaled_masses(bounds.beam_translation, time_step, safety);
-  state.beam_nodes.rotation.inertia =
-      scaled_inertias(model.beam_nodes.lever, bounds.beam_rotation, time_step, safety);
+  state.beam_nodes.rotation.inertia = scaled_inertias(model.beam_nodes.lever, bounds.beam_rotation, time_step, safety);
 }
 
 double raise_scaled_masses(const Model& model, State& state, const StiffnessBounds& bounds, double safety) {
@@ -112,8 +112,7 @@ double raise_scaled_masses(const Model& model, State& state, const StiffnessBoun
                [&](std::size_t i) { return dot(nodes.velocity[i], nodes.velocity[i]); }) +
          raise(beams.mass, scaled_masses(bounds.beam_translation, time_step, safety),
                [&](std::size_t i) { return dot(beams.velocity[i], beams.velocity[i]); }) +
-         raise(beam_rotation.inertia,
-               scaled_inertias(model.beam_nodes.lever, bounds.beam_rotation, time_step, safety),
+         raise(beam_rotation.inertia, scaled_inertias(model.beam_nodes.lever, bounds.beam_rotation, time_step, safety),
                [&](std::size_t i) { return beam_rotation.spin[i] * beam_rotation.spin[i]; });
 }
 

@@ -22,7 +22,9 @@ struct BeamSection {
   [[nodiscard]] double area() const { return depth * width; }
   [[nodiscard]] double second_moment() const { return depth * depth * depth * width / 12.0; }
   /// G A_s = 5/6 G A (N).
-  [[nodiscard]] double shear_rigidity() const { return 5.0 / 6.0 * area() * young_modulus / (2.0 * (1.0 + poisson_ratio)); }
+  [[nodiscard]] double shear_rigidity() const {
+    return 5.0 / 6.0 * area() * young_modulus / (2.0 * (1.0 + poisson_ratio));
+  }
 };
 
 /// Adds a node that is free and weighs nothing yet.

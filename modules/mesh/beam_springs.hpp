@@ -33,10 +33,10 @@ inline std::array<BeamMode, 3> beam_modes(const Model& model, const State& state
   const Vector apart = state.beam_nodes.translation.displacement[j] - state.beam_nodes.translation.displacement[i];
   const Rotation turn_i = state.beam_nodes.rotation.rotation[i];
   const Rotation turn_j = state.beam_nodes.rotation.rotation[j];
-  return {BeamMode{dot(axis.axial, apart), model.beam_elements.axial[element]},
-          BeamMode{turn_j - turn_i, model.beam_elements.bending[element]},
-          BeamMode{cross(axis.axial, apart) - 0.5 * axis.length * (turn_i + turn_j),
-                   model.beam_elements.shear[element]}};
+  return {
+      BeamMode{dot(axis.axial, apart), model.beam_elements.axial[element]},
+      BeamMode{turn_j - turn_i, model.beam_elements.bending[element]},
+      BeamMode{cross(axis.axial, apart) - 0.5 * axis.length * (turn_i + turn_j), model.beam_elements.shear[element]}};
 }
 
 }  // namespace ligament

@@ -31,8 +31,8 @@ struct SimulationChoice {
 
 inline Simulation make_simulation(Model model, SimulationChoice choice = {}) {
   Modules modules;
-  modules.integrator = choice.integrator ? std::move(choice.integrator)
-                                         : std::make_unique<CentralDifference>(std::move(choice.damping));
+  modules.integrator =
+      choice.integrator ? std::move(choice.integrator) : std::make_unique<CentralDifference>(std::move(choice.damping));
   modules.contact_detector = std::make_unique<GridContactDetector>(choice.skin);
   modules.force_providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
   modules.force_providers.push_back(std::make_unique<ContactForces<FacetPairing>>());

@@ -17,7 +17,8 @@ namespace {
 constexpr double length = 2.0;
 
 BeamSection steel(BeamTheory theory) {
-  return {.young_modulus = 210e9, .poisson_ratio = 0.3, .density = 7850.0, .depth = 0.1, .width = 0.05, .theory = theory};
+  return {
+      .young_modulus = 210e9, .poisson_ratio = 0.3, .density = 7850.0, .depth = 0.1, .width = 0.05, .theory = theory};
 }
 
 double bending_stiffness() {
@@ -82,7 +83,10 @@ TEST_CASE("rigid motion of a beam makes neither force nor energy") {
   Simulation simulation = make_simulation(beam_model(4, BeamTheory::timoshenko, {0.6, 0.8}));
   constexpr double turn = 1e-3;
   deform(
-      simulation, [](const Vector& place) { return Vector{0.3, -0.7} + cross(Rotation{turn}, place); },
+      simulation,
+      [](const Vector& place) {
+        return Vector{0.3, -0.7} + cross(Rotation{turn}, place);
+      },
       [](const Vector&) { return turn; });
   const double energy_of_turn = bending_stiffness() / length * turn * turn;
   CHECK(std::abs(energy(simulation, "elastic_beams")) < 1e-18 * energy_of_turn / (turn * turn));
@@ -95,7 +99,8 @@ TEST_CASE("a beam on two supports swings with the frequency of its lumped masses
     const double k = std::numbers::pi / length;
     const double stiffness = section.young_modulus * section.second_moment();
     const double mass = section.density * section.area() * h;
-    const double inertia = h * (section.density * section.area() * h * h / 12.0 + section.density * section.second_moment());
+    const double inertia =
+        h * (section.density * section.area() * h * h / 12.0 + section.density * section.second_moment());
     const double vv = 24.0 * stiffness / (h * h * h) * (1.0 - std::cos(k * h)) / mass;
     const double vt = -12.0 * stiffness / (h * h) * std::sin(k * h);
     const double tt = stiffness / h * (8.0 + 4.0 * std::cos(k * h)) / inertia;
@@ -124,7 +129,10 @@ TEST_CASE("a beam on two supports swings with the frequency of its lumped masses
     constexpr double amplitude = 1e-3;
     const double k = std::numbers::pi / length;
     deform(
-        simulation, [&](const Vector& place) { return Vector{0.0, amplitude * std::sin(k * component(place, 0))}; },
+        simulation,
+        [&](const Vector& place) {
+          return Vector{0.0, amplitude * std::sin(k * component(place, 0))};
+        },
         [&, slope = ratio](const Vector& place) { return slope * amplitude * std::cos(k * component(place, 0)); });
     simulation.step();
     EnergyDrift drift(simulation);
@@ -152,7 +160,10 @@ TEST_CASE("the bound of a beam holds: steps below it are stable, whatever swings
     Simulation simulation = make_simulation(std::move(model), std::move(choice));
     double sign = 1.0;
     deform(
-        simulation, [&sign](const Vector&) { return (sign = -sign) * Vector{1e-6, 2e-6}; },
+        simulation,
+        [&sign](const Vector&) {
+          return (sign = -sign) * Vector{1e-6, 2e-6};
+        },
         [&sign](const Vector&) { return 3e-5 * sign; });
     simulation.step();
     const double start = energy(simulation, "elastic_beams") + std::abs(energy(simulation, "kinetic_beams"));

@@ -29,8 +29,10 @@ TEST_CASE("beams") {
   check_beam_edit("x = [\"0.5 m\", \"2.5 m\"]", "x = [\"2.5 m\", \"2.5 m\"]",
                   "nodes 1 and 2 are at the same place in [[beam]] 'steel'", "[\"2.5 m\", \"2.5 m\"]");
   check_beam_edit("material = \"rock\"\ndepth", "material = \"rook\"\ndepth",
-                  "there is no material 'rook' in [[beam]] 'steel' (there are: 'rock'); did you mean 'rock'?", "\"rook\"");
-  check_beam_edit("depth = \"0.1 m\"", "depth = \"0 m\"", "'depth' is 0 m, but must be greater than 0 m", "\"0 m\"\nwidth");
+                  "there is no material 'rook' in [[beam]] 'steel' (there are: 'rock'); did you mean 'rock'?",
+                  "\"rook\"");
+  check_beam_edit("depth = \"0.1 m\"", "depth = \"0 m\"", "'depth' is 0 m, but must be greater than 0 m",
+                  "\"0 m\"\nwidth");
   check_beam_edit("width = \"50 mm\"", "width = \"50 mm\"\ntheory = \"bernoulli\"",
                   "'theory' is 'bernoulli', but must be one of 'euler_bernoulli', 'timoshenko'", "\"bernoulli\"");
 }
@@ -58,18 +60,21 @@ TEST_CASE("platens") {
                   "\"steel\" # of the platen");
   check_beam_edit("driven_by = \"force\"\nbeam = \"steel\" # of the platen", "mass = \"1 kg\"",
                   "the mass of a wall counts with driven_by = \"force\" alone in [[wall]] 'platen'", "\"1 kg\"");
-  check_beam_edit("driven_by = \"force\"\nbeam = \"steel\" # of the platen\n\n[[load]]\nname = \"tip\"\nnodes = [4, 16]",
-                  "\n[[load]]\nname = \"tip\"\nwalls = [\"platen\"]",
-                  "wall 'platen' is driven by motion in [[load]] 'tip': forces and supports are for walls with driven_by "
-                  "= \"force\"",
-                  "[\"platen\"]");
+  check_beam_edit(
+      "driven_by = \"force\"\nbeam = \"steel\" # of the platen\n\n[[load]]\nname = \"tip\"\nnodes = [4, 16]",
+      "\n[[load]]\nname = \"tip\"\nwalls = [\"platen\"]",
+      "wall 'platen' is driven by motion in [[load]] 'tip': forces and supports are for walls with driven_by "
+      "= \"force\"",
+      "[\"platen\"]");
 }
 
 TEST_CASE("a beam that only lies on a platen may go where nothing holds it") {
-  const std::string text = edited("nodes = [1]\nfix = [\"x\", \"y\", \"rotation\"]", "nodes = [1]\nfix = [\"y\"]", with_beam());
-  check_rejected(text,
-                 "case.toml: the body of 2 nodes and 0 particles with a node at (0.5 m, 3 m) is free to move as a whole "
-                 "(along x): hold it by a [[support]]; free flight needs method = \"undamped\"\n"
-                 "case.toml: the body of 1 nodes and 0 particles with a node at (2.5 m, 3 m) is free to move as a whole "
-                 "(along x): hold it by a [[support]]; free flight needs method = \"undamped\"");
+  const std::string text =
+      edited("nodes = [1]\nfix = [\"x\", \"y\", \"rotation\"]", "nodes = [1]\nfix = [\"y\"]", with_beam());
+  check_rejected(
+      text,
+      "case.toml: the body of 2 nodes and 0 particles with a node at (0.5 m, 3 m) is free to move as a whole "
+      "(along x): hold it by a [[support]]; free flight needs method = \"undamped\"\n"
+      "case.toml: the body of 1 nodes and 0 particles with a node at (2.5 m, 3 m) is free to move as a whole "
+      "(along x): hold it by a [[support]]; free flight needs method = \"undamped\"");
 }

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
+#include "integrator/platens.hpp"
 #include "integrator/time_step.hpp"
 
 namespace ligament {
@@ -38,6 +39,8 @@ void clear_forces(State& state) {
   clear(state.particles.translation.force);
   clear(state.particles.rotation.moment);
   clear(state.nodes.translation.force);
+  clear(state.beam_nodes.translation.force);
+  clear(state.beam_nodes.rotation.moment);
 }
 
 void merge(std::vector<EnergyTerm>& lines, const std::vector<EnergyTerm>& more) {
@@ -82,6 +85,7 @@ bool Simulation::advance() {
 
 void Simulation::step() {
   modules_.integrator->update_positions(model_, state_);  // x(n) = x(n-1) + v(n-½) Δt
+  place_platen_ends(model_, state_);
   state_.clock.advance();
   check_travel();
   if (modules_.contact_detector->update(model_, state_)) check_time_step();  // update set of contacts
@@ -159,8 +163,9 @@ ForceMagnitudes Simulation::internal_forces() const {
 }
 
 StiffnessBounds Simulation::stiffness_bounds() const {
-  StiffnessBounds bounds(model_.particles.size(), model_.nodes.size());
+  StiffnessBounds bounds(model_.particles.size(), model_.nodes.size(), model_.beam_nodes.size());
   for (const auto& provider : modules_.force_providers) provider->add_stiffness(model_, state_, bounds);
+  pass_on_platen_stiffness(model_, bounds);
   return bounds;
 }
 
@@ -172,7 +177,7 @@ StiffnessSum Simulation::stiffness() const {
 
 std::vector<double> Simulation::secants(const ContactMemory& before) const {
   std::vector<double> secants;
-  for (const auto& provider : modules_.force_providers) provider->add_secants(state_, before, secants);
+  for (const auto& provider : modules_.force_providers) provider->add_secants(model_, state_, before, secants);
   return secants;
 }
 
@@ -180,6 +185,9 @@ void Simulation::prepare_state() {
   resize(state_.particles.translation, model_.particles.size());
   resize(state_.particles.rotation, model_.particles.size());
   resize(state_.nodes.translation, model_.nodes.size());
+  resize(state_.beam_nodes.translation, model_.beam_nodes.size());
+  resize(state_.beam_nodes.rotation, model_.beam_nodes.size());
+  state_.platens.force.assign(2 * model_.platens.size(), Vector{});
   modules_.contact_detector->bond(model_, state_);
 }
 
@@ -226,7 +234,10 @@ void Simulation::check_travel() const {
 
 void Simulation::add_forces() {
   clear_forces(state_);
+  // Increments of loading move the middles alone.
+  place_platen_ends(model_, state_);
   for (auto& provider : modules_.force_providers) provider->add_forces(model_, state_);
+  pass_on_platen_forces(model_, state_);
 }
 
 void Simulation::add_applied_loads() {

@@ -22,6 +22,10 @@ bool is_finite_row(const RotationState& bodies, std::size_t i) {
   return std::isfinite(bodies.rotation[i]) && std::isfinite(bodies.spin[i]) && std::isfinite(bodies.moment[i]);
 }
 
+bool are_finite(const Field<Vector>& values) {
+  return std::all_of(values.begin(), values.end(), [](const Vector& value) { return is_finite(value); });
+}
+
 std::string place(const Vector& rest, const Vector& displacement) {
   const auto [x, y, z] = to_space(is_finite(displacement) ? rest + displacement : rest);
   return fmt::format("({:.6g}, {:.6g}) m{}", x, y, is_finite(displacement) ? "" : " at rest");
@@ -112,8 +116,7 @@ bool are_within(const State& state, const StepLimits& limits) {
                      [&](const Vector& travel) { return is_within(travel, limits.travel); }) &&
          std::all_of(rotation.increment.begin(), rotation.increment.end(),
                      [&](Rotation turn) { return std::abs(turn) <= limits.turn; }) &&
-         std::all_of(state.nodes.translation.increment.begin(), state.nodes.translation.increment.end(),
-                     [](const Vector& travel) { return is_finite(travel); });
+         are_finite(state.nodes.translation.increment) && are_finite(state.beam_nodes.translation.increment);
 }
 
 std::string describe_infinite_body(const Model& model, const State& state) {
@@ -123,6 +126,12 @@ std::string describe_infinite_body(const Model& model, const State& state) {
   }
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     if (!is_finite_row(state.nodes.translation, i)) return describe_node(model, state, i);
+  }
+  for (std::size_t i = 0; i < model.beam_nodes.size(); ++i) {
+    const auto& [translation, rotation] = state.beam_nodes;
+    if (is_finite_row(translation, i) && is_finite_row(rotation, i)) continue;
+    return fmt::format("node {} of a beam at {} {}", model.beam_nodes.id[i],
+                       place(model.beam_nodes.position[i], translation.displacement[i]), infinite);
   }
   return {};
 }

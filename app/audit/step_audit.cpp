@@ -17,6 +17,11 @@ double work(const Field<Vector>& before, const TranslationState& bodies) {
                    [&](std::size_t i) { return 0.5 * dot(before[i] + bodies.force[i], bodies.increment[i]); });
 }
 
+double work(const Field<Moment>& before, const RotationState& bodies) {
+  return block_sum(before.size(),
+                   [&](std::size_t i) { return 0.5 * (before[i] + bodies.moment[i]) * bodies.increment[i]; });
+}
+
 }  // namespace
 
 StepAudit::StepAudit(const Simulation& simulation) : before_(sides_of(simulation)) { remember(simulation.state()); }
@@ -59,17 +64,17 @@ StepAudit::Sides StepAudit::sides_of(const Simulation& simulation) {
 }
 
 double StepAudit::work_on_bodies(const State& state) const {
-  const RotationState& rotation = state.particles.rotation;
   return work(particle_force_, state.particles.translation) + work(node_force_, state.nodes.translation) +
-         block_sum(particle_moment_.size(), [&](std::size_t i) {
-           return 0.5 * (particle_moment_[i] + rotation.moment[i]) * rotation.increment[i];
-         });
+         work(beam_force_, state.beam_nodes.translation) + work(particle_moment_, state.particles.rotation) +
+         work(beam_moment_, state.beam_nodes.rotation);
 }
 
 void StepAudit::remember(const State& state) {
   particle_force_ = state.particles.translation.force;
   particle_moment_ = state.particles.rotation.moment;
   node_force_ = state.nodes.translation.force;
+  beam_force_ = state.beam_nodes.translation.force;
+  beam_moment_ = state.beam_nodes.rotation.moment;
 }
 
 }  // namespace ligament

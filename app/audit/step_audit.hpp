@@ -43,6 +43,8 @@ class StepAudit {
   Field<Vector> particle_force_;
   Field<Moment> particle_moment_;
   Field<Vector> node_force_;
+  Field<Vector> beam_force_;
+  Field<Moment> beam_moment_;
   Drift motion_;
   Drift transfer_;
 };

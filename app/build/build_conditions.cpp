@@ -18,27 +18,45 @@ int axis_of(const std::string& name) { return name == "x" ? 0 : name == "y" ? 1 
 
 auto key_of(const PrescribedFreedom& freedom) { return std::tuple(freedom.body, freedom.row, freedom.axis); }
 
-void add_freedoms(const SelectedBodies& bodies, PrescribedFreedom freedom, std::vector<PrescribedFreedom>& freedoms) {
-  if (freedom.axis < dimension) {
-    freedom.body = PrescribedFreedom::Body::node;
-    for (const Index row : bodies.nodes) {
-      freedom.row = row;
-      freedoms.push_back(freedom);
-    }
-  }
-  freedom.body = PrescribedFreedom::Body::particle;
-  for (const Index row : bodies.particles) {
+void add_freedoms(const Model& model, const SelectedBodies& bodies, PrescribedFreedom freedom,
+                  std::vector<PrescribedFreedom>& freedoms) {
+  const auto add = [&](BodyTable table, Index row) {
+    freedom.body = table;
     freedom.row = row;
     freedoms.push_back(freedom);
+  };
+  const bool is_rotation = freedom.axis == dimension;
+  for (const Index row : bodies.nodes) {
+    if (!is_rotation) add(BodyTable::node, row);
+  }
+  for (const Index row : bodies.particles) add(BodyTable::particle, row);
+  for (const Index row : bodies.beam_nodes) add(BodyTable::beam_node, row);
+  for (const Index row : bodies.platens) {
+    const Platen& platen = model.platens[row];
+    add(BodyTable::beam_node, is_rotation ? platen.rotation : platen.translation);
   }
 }
 
 void check_rotation(Case& input, const SupportTable& table, const TableView& view, const SelectedBodies& bodies) {
   const bool asks_for_rotation = std::find(table.fix.begin(), table.fix.end(), "rotation") != table.fix.end();
-  if (!asks_for_rotation || bodies.nodes.empty() || !bodies.particles.empty()) return;
+  if (!asks_for_rotation || bodies.nodes.empty() || !bodies.particles.empty() || !bodies.platens.empty()) return;
   input.file.add_error(
       input.file.position(view, "fix"),
       fmt::format("nodes do not rotate {}: hold 'x' or 'y' of several; 'rotation' is for particles", view.where()));
+}
+
+/// Walls that a motion drives are neither pushed nor held otherwise.
+void check_is_free(Case& input, const Model& model, const BodySelection& selection, const TableView& view) {
+  for (const std::string& name : selection.walls) {
+    const auto wall = std::find_if(model.walls.begin(), model.walls.end(),
+                                   [&](const Wall& candidate) { return candidate.name == name; });
+    if (wall == model.walls.end()) continue;
+    if (model.platen_of_wall(static_cast<std::size_t>(wall - model.walls.begin())) != nullptr) continue;
+    input.file.add_error(input.file.position(view, "walls"),
+                         fmt::format("wall '{}' is driven by motion {}: forces and supports are for walls with "
+                                     "driven_by = \"force\"",
+                                     name, view.where()));
+  }
 }
 
 /// The freedom with the same key; null if it is not prescribed yet.
@@ -59,24 +77,13 @@ std::vector<PrescribedFreedom> support_freedoms(Case& input, const Model& model)
   for (const auto& [table, view] : input.supports) {
     const SelectedBodies bodies = select_bodies(model, table.bodies, input.file, view);
     check_rotation(input, table, view, bodies);
-    for (const std::string& name : table.fix) add_freedoms(bodies, {.axis = axis_of(name)}, freedoms);
+    check_is_free(input, model, table.bodies, view);
+    for (const std::string& name : table.fix) add_freedoms(model, bodies, {.axis = axis_of(name)}, freedoms);
   }
   std::sort(freedoms.begin(), freedoms.end(), [](const auto& a, const auto& b) { return key_of(a) < key_of(b); });
   const auto is_same = [](const auto& a, const auto& b) { return key_of(a) == key_of(b); };
   freedoms.erase(std::unique(freedoms.begin(), freedoms.end(), is_same), freedoms.end());
   return freedoms;
-}
-
-SelectedBodies bodies_of(Case& input, const Model& model, const MotionTable& table, const TableView& view) {
-  const bool moves_bodies = table.walls.empty() || table.bodies.x || table.bodies.y || !table.bodies.nodes.empty() ||
-                            !table.bodies.particles.empty();
-  SelectedBodies bodies = moves_bodies ? select_bodies(model, table.bodies, input.file, view) : SelectedBodies{};
-  for (const std::string& name : table.walls) {
-    if (const auto nodes = find_wall(model, name, input.file, view, "walls")) {
-      bodies.nodes.insert(bodies.nodes.end(), nodes->begin(), nodes->end());
-    }
-  }
-  return bodies;
 }
 
 /// The velocity that a motion asks for; a displacement is made until it stops, the rise included.
@@ -115,10 +122,11 @@ void add_corners(std::int64_t stage, const PiecewiseLinear& schedule, Conditions
   for (const double time : schedule.times) add_corner(stage, time, conditions);
 }
 
-void add_motion(Case& input, const SelectedBodies& bodies, const MotionTable& table, const StageVelocity& motion,
+void add_motion(Case& input, const Model& model, const MotionTable& table, const StageVelocity& motion,
                 const TableView& view, Conditions& conditions) {
   std::vector<PrescribedFreedom> moved;
-  add_freedoms(bodies, {.axis = axis_of(table.direction), .motions = {motion}}, moved);
+  const SelectedBodies bodies = select_bodies(model, table.bodies, input.file, view);
+  add_freedoms(model, bodies, {.axis = axis_of(table.direction), .motions = {motion}}, moved);
   bool has_conflict = false;
   for (const PrescribedFreedom& freedom : moved) {
     PrescribedFreedom* known = find_freedom(conditions.freedoms, freedom);
@@ -140,7 +148,7 @@ void add_motion(Case& input, const SelectedBodies& bodies, const MotionTable& ta
 void add_motions(Case& input, const Model& model, Conditions& conditions) {
   for (const auto& [table, view] : input.motions) {
     const StageVelocity motion = velocity_of(input, table, view);
-    add_motion(input, bodies_of(input, model, table, view), table, motion, view, conditions);
+    add_motion(input, model, table, motion, view, conditions);
     add_corners(table.stage, motion.schedule, conditions);
     if (table.schedule.is_given || table.velocity.value_or(1.0) == 0.0) continue;
     if (table.rise_time > 0.0) add_corner(table.stage, table.rise_time, conditions);
@@ -155,9 +163,10 @@ void add_motions(Case& input, const Model& model, Conditions& conditions) {
 /// What no motion moves of a wall stands still.
 void hold_walls(const Model& model, Conditions& conditions) {
   for (std::size_t wall = 0; wall < model.walls.size(); ++wall) {
+    if (model.platen_of_wall(wall) != nullptr) continue;
     for (const Index node : model.wall_nodes(wall)) {
       for (int axis = 0; axis < dimension; ++axis) {
-        const PrescribedFreedom held{.body = PrescribedFreedom::Body::node, .row = node, .axis = axis};
+        const PrescribedFreedom held{.body = BodyTable::node, .row = node, .axis = axis};
         if (find_freedom(conditions.freedoms, held) == nullptr) conditions.freedoms.push_back(held);
       }
     }
@@ -168,18 +177,19 @@ void add_loads(Case& input, const Model& model, Conditions& conditions) {
   for (const auto& [table, view] : input.loads) {
     const SelectedBodies bodies = select_bodies(model, table.bodies, input.file, view);
     add_corner(table.stage, table.rise_time, conditions);
+    check_is_free(input, model, table.bodies, view);
     PointLoad load{.force = to_vector(table.force), .rise_time = table.rise_time, .stage = table.stage};
     if (table.schedule.is_given) load.schedule = build_schedule(input, table, view);
     add_corners(table.stage, load.schedule, conditions);
-    for (const Index row : bodies.nodes) {
+    const auto add = [&](BodyTable body, Index row) {
+      load.body = body;
       load.row = row;
       conditions.loads.push_back(load);
-    }
-    load.body = PointLoad::Body::particle;
-    for (const Index row : bodies.particles) {
-      load.row = row;
-      conditions.loads.push_back(load);
-    }
+    };
+    for (const Index row : bodies.nodes) add(BodyTable::node, row);
+    for (const Index row : bodies.particles) add(BodyTable::particle, row);
+    for (const Index row : bodies.beam_nodes) add(BodyTable::beam_node, row);
+    for (const Index row : bodies.platens) add(BodyTable::beam_node, model.platens[row].translation);
   }
 }
 

@@ -7,27 +7,32 @@
 
 #include "build/select_bodies.hpp"
 #include "contact/region_mean.hpp"
+#include "integrator/platens.hpp"
 #include "integrator/prescribed_motion.hpp"
 
 namespace ligament {
 namespace {
 
-/// The node or particle that a gauge watches, and its weight in a mean.
+/// The node, particle or node of a beam that a gauge watches, and its weight in a mean.
 struct WatchedBody {
-  bool is_node = true;
+  BodyTable body = BodyTable::node;
   Index row = -1;
   int axis = 0;
   double weight = 1.0;
 
-  [[nodiscard]] const TranslationState& table(const State& state) const {
-    return is_node ? state.nodes.translation : state.particles.translation;
+  [[nodiscard]] double displacement(const State& state) const {
+    return component(translation_of(state, body).displacement[row], axis);
   }
-  [[nodiscard]] const Field<Vector>& free(const Model& model) const {
-    return is_node ? model.nodes.free : model.particles.free;
+  [[nodiscard]] double holding(const Model& model, const State& state) const {
+    const Vector force = body == BodyTable::node
+                             ? holding_force(model, state, row)
+                             : reaction(translation_of(state, body), free_of(model, body), state.clock, row);
+    return component(force, axis);
   }
   [[nodiscard]] Index freedom(const Model& model) const {
     const FreedomNumbers numbers(model);
-    return is_node ? numbers.node(row, axis) : numbers.particle(row, axis);
+    if (body == BodyTable::node) return numbers.node(row, axis);
+    return body == BodyTable::particle ? numbers.particle(row, axis) : numbers.beam_node(row, axis);
   }
 };
 
@@ -45,8 +50,12 @@ std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, con
       continue;
     }
     const SelectedBodies selected = select_bodies(model, support->table.bodies, input.file, support->view);
-    for (const Index row : selected.nodes) bodies.push_back({true, row, axis});
-    for (const Index row : selected.particles) bodies.push_back({false, row, axis});
+    for (const Index row : selected.nodes) bodies.push_back({BodyTable::node, row, axis});
+    for (const Index row : selected.particles) bodies.push_back({BodyTable::particle, row, axis});
+    for (const Index row : selected.beam_nodes) bodies.push_back({BodyTable::beam_node, row, axis});
+    for (const Index row : selected.platens) {
+      bodies.push_back({BodyTable::beam_node, model.platens[row].translation, axis});
+    }
   }
   return bodies;
 }
@@ -55,15 +64,15 @@ std::vector<WatchedBody> bodies_of_supports(Case& input, const Model& model, con
 WatchedBody nearest_body(const Model& model, const Vector& place, int axis) {
   WatchedBody nearest{.axis = axis};
   double least = std::numeric_limits<double>::infinity();
-  const auto see = [&](const Vector& position, bool is_node, std::size_t row) {
+  const auto see = [&](const Vector& position, BodyTable body, std::size_t row) {
     const double distance = norm(position - place);
     if (distance >= least) return;
     least = distance;
-    nearest.is_node = is_node;
+    nearest.body = body;
     nearest.row = static_cast<Index>(row);
   };
-  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) see(model.nodes.position[i], true, i);
-  for (std::size_t i = 0; i < model.particles.size(); ++i) see(model.particles.position[i], false, i);
+  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) see(model.nodes.position[i], BodyTable::node, i);
+  for (std::size_t i = 0; i < model.particles.size(); ++i) see(model.particles.position[i], BodyTable::particle, i);
   return nearest;
 }
 
@@ -78,10 +87,10 @@ std::vector<WatchedBody> nodes_around(const Model& model, const Vector& place, i
     // A place on a grid line may lie beside it by rounding.
     constexpr double rounding = 1e-9;
     if (std::min(x, y) < -rounding || std::max(x, y) > 1.0 + rounding) continue;
-    return {{true, nodes[0], axis, (1.0 - x) * (1.0 - y)},
-            {true, nodes[1], axis, x * (1.0 - y)},
-            {true, nodes[2], axis, x * y},
-            {true, nodes[3], axis, (1.0 - x) * y}};
+    return {{BodyTable::node, nodes[0], axis, (1.0 - x) * (1.0 - y)},
+            {BodyTable::node, nodes[1], axis, x * (1.0 - y)},
+            {BodyTable::node, nodes[2], axis, x * y},
+            {BodyTable::node, nodes[3], axis, (1.0 - x) * y}};
   }
   return {};
 }
@@ -99,7 +108,7 @@ std::vector<WatchedBody> bodies_at(Case& input, const Model& model, const Vector
     if (gap(row) < gap(nearest)) nearest = row;
   }
   // choice: voids of assemblies are smaller than the particles around them.
-  if (n_particles > 0 && gap(nearest) <= model.particles.radius[nearest]) return {{false, nearest, axis}};
+  if (n_particles > 0 && gap(nearest) <= model.particles.radius[nearest]) return {{BodyTable::particle, nearest, axis}};
   input.file.add_error(input.file.position(view, key), fmt::format("there is no element or particle at ({} m, {} m) {}",
                                                                    place.x, place.y, view.where()));
   return {};
@@ -108,11 +117,22 @@ std::vector<WatchedBody> bodies_at(Case& input, const Model& model, const Vector
 Gauge opening_gauge(const Model& model, const std::string& name, const WatchedBody& from, const WatchedBody& to) {
   return {name,
           name + "_m",
-          [from, to](const Model&, const State& state) {
-            return component(to.table(state).displacement[to.row], to.axis) -
-                   component(from.table(state).displacement[from.row], from.axis);
-          },
+          [from, to](const Model&, const State& state) { return to.displacement(state) - from.displacement(state); },
           {{from.freedom(model), -1.0}, {to.freedom(model), 1.0}}};
+}
+
+std::vector<WatchedBody> node_of_beam(Case& input, const Model& model, const GaugePoint& point, const TableView& view,
+                                      const char* key) {
+  const Beam* beam = find_beam(model, *point.beam, input.file, view, key);
+  if (beam == nullptr) return {};
+  const std::int64_t number = point.node.value_or(0);
+  if (number >= 1 && number <= beam->n_nodes) {
+    return {{BodyTable::beam_node, beam->first_node + static_cast<Index>(number - 1), axis_of(point)}};
+  }
+  input.file.add_error(input.file.position(view, key),
+                       fmt::format("'{}' needs the number of a 'node' of beam '{}', from 1 to {} {}", key, beam->name,
+                                   beam->n_nodes, view.where()));
+  return {};
 }
 
 /// What a gauge watches: a body, or both ends of a wall; none if the case is wrong.
@@ -129,14 +149,16 @@ std::vector<WatchedBody> find_bodies(Case& input, const Model& model, const Gaug
   if (!point.supports.empty()) return bodies_of_supports(input, model, point.supports, axis_of(point), view, key);
   if (point.point) return bodies_at(input, model, to_vector(*point.point), axis_of(point), view, key);
   if (point.wall) {
-    const auto nodes = find_wall(model, *point.wall, input.file, view, key);
-    if (!nodes) return {};
-    return {{true, (*nodes)[0], axis_of(point)}, {true, (*nodes)[1], axis_of(point)}};
+    const auto wall = find_wall(model, *point.wall, input.file, view, key);
+    if (!wall) return {};
+    const auto nodes = model.wall_nodes(*wall);
+    return {{BodyTable::node, nodes[0], axis_of(point)}, {BodyTable::node, nodes[1], axis_of(point)}};
   }
+  if (point.beam) return node_of_beam(input, model, point, view, key);
   const bool is_node = point.node.has_value();
   const std::int64_t number = is_node ? *point.node : *point.particle;
   const Index row = row_of_id(is_node ? model.nodes.id : model.particles.id, number);
-  if (row >= 0) return {{is_node, row, axis_of(point)}};
+  if (row >= 0) return {{is_node ? BodyTable::node : BodyTable::particle, row, axis_of(point)}};
   input.file.add_error(position,
                        fmt::format("there is no {} {} {}: it is beyond the last one or a zone has replaced it",
                                    is_node ? "node" : "particle", number, view.where()));
@@ -147,7 +169,7 @@ double mean_displacement(const std::vector<WatchedBody>& bodies, const State& st
   double sum = 0.0;
   double weight = 0.0;
   for (const WatchedBody& body : bodies) {
-    sum += body.weight * component(body.table(state).displacement[body.row], body.axis);
+    sum += body.weight * body.displacement(state);
     weight += body.weight;
   }
   return sum / weight;
@@ -182,7 +204,7 @@ Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bo
   return {name, name + "_N", [bodies](const Model& model, const State& state) {
             double sum = 0.0;
             for (const WatchedBody& body : bodies) {
-              sum += component(reaction(body.table(state), body.free(model), state.clock, body.row), body.axis);
+              sum += body.holding(model, state);
             }
             return sum;
           }};
@@ -191,7 +213,7 @@ Gauge reaction_gauge(const std::string& name, const std::vector<WatchedBody>& bo
 void check_is_held(Case& input, const Model& model, const std::vector<WatchedBody>& bodies,
                    const std::string& direction, const TableView& view) {
   const bool is_held = std::all_of(bodies.begin(), bodies.end(), [&](const WatchedBody& body) {
-    return component(body.free(model)[body.row], body.axis) == 0.0;
+    return component(free_of(model, body.body)[body.row], body.axis) == 0.0;
   });
   if (is_held) return;
   input.file.add_error(input.file.position(view, "reaction"),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "build/build_beams.hpp"
 #include "build/build_notches.hpp"
 #include "build/build_walls.hpp"
 #include "build/check_case.hpp"
@@ -32,12 +33,6 @@ void add_materials(const Case& input, Model& model) {
     material.contact_law = add_law(model, table.name + ".contact", table.law->contact_law());
     model.materials.push_back(std::move(material));
   }
-}
-
-Index material_row(const Model& model, const std::string& name) {
-  const auto found = std::find_if(model.materials.begin(), model.materials.end(),
-                                  [&](const Material& material) { return material.name == name; });
-  return static_cast<Index>(found - model.materials.begin());
 }
 
 void add_mesh(const Case& input, Model& model) {
@@ -96,6 +91,12 @@ void add_zone(const ZoneTable& table, const Packing& packing, Model& model) {
 
 }  // namespace
 
+Index material_row(const Model& model, const std::string& name) {
+  const auto found = std::find_if(model.materials.begin(), model.materials.end(),
+                                  [&](const Material& material) { return material.name == name; });
+  return static_cast<Index>(found - model.materials.begin());
+}
+
 BuiltModel build_model(Case& input) {
   check_case(input);
   BuiltModel built;
@@ -111,7 +112,9 @@ BuiltModel build_model(Case& input) {
     built.reports.push_back({zone.name, std::move(packings[i].report)});
   }
   input.file.throw_collected_errors();
+  add_beams(input, built.model);
   add_walls(input, built.model);
+  input.file.throw_collected_errors();
   return built;
 }
 

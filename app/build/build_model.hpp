@@ -19,4 +19,7 @@ struct BuiltModel {
 };
 BuiltModel build_model(Case& input);
 
+/// The row of a material of the model by its name, which must exist.
+Index material_row(const Model& model, const std::string& name);
+
 }  // namespace ligament

@@ -42,8 +42,11 @@ std::vector<Notch> build_notches(Case& input) {
       input.file.add_error(input.file.position(view, "to"), fmt::format("the notch has no length {}", view.where()));
       continue;
     }
-    notches.push_back(
-        {.name = table.name, .from = to_vector(table.from), .to = to_vector(table.to), .width = table.width});
+    notches.push_back({.name = table.name,
+                       .from = to_vector(table.from),
+                       .to = to_vector(table.to),
+                       .width = table.width,
+                       .gap = table.gap});
     if (input.mesh) check_elements(input, notches.back(), view);
   }
   input.file.throw_collected_errors();

@@ -5,11 +5,13 @@
 #include "build/build_control.hpp"
 #include "build/build_gauges.hpp"
 #include "build/build_notches.hpp"
+#include "build/build_walls.hpp"
 #include "build/check_contacts.hpp"
 #include "build/unsupported_bodies.hpp"
 #include "contact/contact_forces.hpp"
 #include "contact/grid_contact_detector.hpp"
 #include "integrator/gravity.hpp"
+#include "mesh/beam_forces.hpp"
 #include "mesh/element_forces.hpp"
 
 namespace ligament {
@@ -27,7 +29,9 @@ std::vector<std::unique_ptr<ForceProvider>> force_providers(const Case& input, s
   providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
   providers.push_back(std::make_unique<ContactForces<FacetPairing>>());
   providers.push_back(std::make_unique<ContactForces<CornerPairing>>());
+  providers.push_back(std::make_unique<ContactForces<SeatPairing>>());
   providers.push_back(std::make_unique<ElementForces>());
+  if (!input.beams.empty()) providers.push_back(std::make_unique<BeamForces>());
   providers.push_back(std::make_unique<AppliedLoads>(std::move(loads)));
   if (const Vector gravity = to_vector(input.problem.gravity); gravity != Vector{}) {
     providers.push_back(std::make_unique<Gravity>(gravity));
@@ -82,6 +86,7 @@ BuiltSimulation build_simulation(Case& input) {
   result.simulation.open_stages(result.end_of_loading.size(), result.gauges.size());
   check_contacts(input, result.simulation.model(), result.simulation.state());
   refuse_idle_notches(input, result.simulation.model());
+  refuse_idle_walls(input, result.simulation.model(), result.simulation.state());
   check_supports(input, result.simulation);
   input.file.throw_collected_errors();
   return result;

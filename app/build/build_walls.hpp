@@ -9,4 +9,7 @@ namespace ligament {
 /// wrong with them becomes errors of the case file.
 void add_walls(Case& input, Model& model);
 
+/// Walls that nothing can touch become errors of the case file.
+void refuse_idle_walls(Case& input, const Model& model, const State& state);
+
 }  // namespace ligament

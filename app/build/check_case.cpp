@@ -87,6 +87,13 @@ void check_mesh(Case& input) {
   check_mesh_size(input);
 }
 
+void check_beams(Case& input) {
+  for (const auto& [table, view] : input.beams) {
+    check_material_name(input, view, "material", table.material);
+    check_density(input, table.material);
+  }
+}
+
 bool overlap(const ZoneTable& a, const ZoneTable& b) {
   bool all = true;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -135,8 +142,9 @@ void check_zones(Case& input) {
 void check_case(Case& input) {
   check_mesh(input);
   check_zones(input);
+  check_beams(input);
   check_loading(input);
-  if (!input.mesh && input.zones.empty()) {
+  if (!input.mesh && input.zones.empty() && input.beams.empty()) {
     input.file.add_error({}, "there is nothing to calculate: give a [mesh], a [[zone]], or both");
   }
   input.file.throw_collected_errors();

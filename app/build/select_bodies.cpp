@@ -10,17 +10,18 @@
 namespace ligament {
 namespace {
 
-/// Nodes on the lines given; coordinates count as equal within a billionth of the structure.
-std::vector<Index> nodes_at(const Model& model, const BodySelection& selection) {
+/// Rows from `begin` to `end` of bodies on the lines given; coordinates count as equal within a billionth of the
+/// structure.
+std::vector<Index> rows_at(const Field<Vector>& positions, std::size_t begin, std::size_t end,
+                           const BodySelection& selection) {
   double size = 0.0;
-  for (const Vector& position : model.nodes.position) size = std::max(size, largest_component(position));
+  for (const Vector& position : positions) size = std::max(size, largest_component(position));
   const auto matches = [&](const std::optional<double>& wanted, double position) {
     return !wanted || std::abs(*wanted - position) <= 1e-9 * size;
   };
   std::vector<Index> rows;
-  for (std::size_t i = 0; i < model.n_mesh_nodes(); ++i) {
-    const Vector& position = model.nodes.position[i];
-    if (matches(selection.x, component(position, 0)) && matches(selection.y, component(position, 1))) {
+  for (std::size_t i = begin; i < end; ++i) {
+    if (matches(selection.x, component(positions[i], 0)) && matches(selection.y, component(positions[i], 1))) {
       rows.push_back(static_cast<Index>(i));
     }
   }
@@ -41,10 +42,55 @@ void add_by_number(const Field<Index>& ids, const std::vector<std::int64_t>& num
   }
 }
 
-std::vector<std::string> names_of(const std::vector<Wall>& walls) {
+/// Row of what has this name; -1, and an error of the case file, if there is none.
+template <class Table>
+Index find_named(const std::vector<Table>& tables, const char* kind, const std::string& name, CaseFile& file,
+                 const TableView& view, const char* key) {
   std::vector<std::string> names;
-  for (const Wall& wall : walls) names.push_back(wall.name);
-  return names;
+  for (const Table& table : tables) names.push_back(table.name);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<Index>(found - names.begin());
+  file.add_error(file.position(view, key),
+                 fmt::format("there is no {} '{}' {} (there are: {}){}", kind, name, view.where(),
+                             names.empty() ? "none" : quoted_list(names), did_you_mean(name, names)));
+  return -1;
+}
+
+void add_beam_nodes(const Model& model, const BodySelection& selection, CaseFile& file, const TableView& view,
+                    std::vector<Index>& rows) {
+  const Beam* beam = find_beam(model, *selection.beam, file, view, "beam");
+  if (beam == nullptr) return;
+  if (!selection.particles.empty()) {
+    file.add_error(file.position(view, "particles"), fmt::format("a beam has no particles {}", view.where()));
+  }
+  for (const std::int64_t number : selection.nodes) {
+    if (number <= beam->n_nodes) {
+      rows.push_back(beam->first_node + static_cast<Index>(number - 1));
+    } else {
+      file.add_error(file.position(view, "nodes"), fmt::format("there is no node {} {}: beam '{}' has {}", number,
+                                                               view.where(), beam->name, beam->n_nodes));
+    }
+  }
+  if (!selection.nodes.empty()) return;
+  rows = rows_at(model.beam_nodes.position, beam->first_node, beam->first_node + beam->n_nodes, selection);
+  if (rows.empty()) {
+    file.add_error(file.position(view, "at"),
+                   fmt::format("beam '{}' has no node at this place {}", beam->name, view.where()));
+  }
+}
+
+/// Walls that are moved are their ends; platens are themselves.
+void add_walls(const Model& model, const BodySelection& selection, CaseFile& file, const TableView& view,
+               SelectedBodies& bodies) {
+  for (const std::string& name : selection.walls) {
+    const auto wall = find_wall(model, name, file, view, "walls");
+    if (!wall) continue;
+    if (const Platen* platen = model.platen_of_wall(*wall); platen != nullptr) {
+      bodies.platens.push_back(static_cast<Index>(platen - model.platens.data()));
+    } else {
+      for (const Index node : model.wall_nodes(*wall)) bodies.nodes.push_back(node);
+    }
+  }
 }
 
 void sort_and_drop_repeats(std::vector<Index>& rows) {
@@ -59,27 +105,33 @@ Index row_of_id(const Field<Index>& ids, std::int64_t id) {
   return found == ids.end() ? -1 : static_cast<Index>(found - ids.begin());
 }
 
-std::optional<std::array<Index, 2>> find_wall(const Model& model, const std::string& name, CaseFile& file,
-                                              const TableView& view, const char* key) {
-  for (std::size_t wall = 0; wall < model.walls.size(); ++wall) {
-    if (model.walls[wall].name == name) return model.wall_nodes(wall);
-  }
-  const std::vector<std::string> names = names_of(model.walls);
-  file.add_error(file.position(view, key),
-                 fmt::format("there is no wall '{}' {} (there are: {}){}", name, view.where(),
-                             names.empty() ? "none" : quoted_list(names), did_you_mean(name, names)));
-  return std::nullopt;
+std::optional<std::size_t> find_wall(const Model& model, const std::string& name, CaseFile& file, const TableView& view,
+                                     const char* key) {
+  const Index row = find_named(model.walls, "wall", name, file, view, key);
+  return row < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row));
+}
+
+const Beam* find_beam(const Model& model, const std::string& name, CaseFile& file, const TableView& view,
+                      const char* key) {
+  const Index row = find_named(model.beams, "beam", name, file, view, key);
+  return row < 0 ? nullptr : &model.beams[row];
 }
 
 SelectedBodies select_bodies(const Model& model, const BodySelection& selection, CaseFile& file,
                              const TableView& view) {
   SelectedBodies bodies;
   const bool by_place = selection.x || selection.y;
-  if (!by_place && selection.nodes.empty() && selection.particles.empty()) {
-    file.add_error(file.position(view), fmt::format("no bodies {}: give 'at', 'nodes' or 'particles'", view.where()));
+  if (selection.beam) {
+    add_beam_nodes(model, selection, file, view, bodies.beam_nodes);
+    add_walls(model, selection, file, view, bodies);
+    return bodies;
+  }
+  if (!by_place && selection.nodes.empty() && selection.particles.empty() && selection.walls.empty()) {
+    file.add_error(file.position(view),
+                   fmt::format("no bodies {}: give 'at', 'nodes', 'particles', 'beam' or 'walls'", view.where()));
   }
   if (by_place) {
-    bodies.nodes = nodes_at(model, selection);
+    bodies.nodes = rows_at(model.nodes.position, 0, model.n_mesh_nodes(), selection);
     if (bodies.nodes.empty()) {
       file.add_error(
           file.position(view, "at"),
@@ -91,6 +143,7 @@ SelectedBodies select_bodies(const Model& model, const BodySelection& selection,
   }
   add_by_number(model.nodes.id, selection.nodes, "node", "nodes", file, view, bodies.nodes);
   add_by_number(model.particles.id, selection.particles, "particle", "particles", file, view, bodies.particles);
+  add_walls(model, selection, file, view, bodies);
   sort_and_drop_repeats(bodies.nodes);
   sort_and_drop_repeats(bodies.particles);
   return bodies;

@@ -52,7 +52,7 @@ void add_motion(Case& input, const char* wall, const char* direction, double dis
                 const TableView& view) {
   MotionTable motion;
   motion.name = fmt::format("compression_{}", direction);
-  motion.walls = {wall};
+  motion.bodies.walls = {wall};
   motion.direction = direction;
   motion.displacement = displacement;
   motion.stop_time = input.properties.loading_time;

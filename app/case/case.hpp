@@ -35,6 +35,7 @@ struct Case {
   GenerationTable generation;
   std::vector<Read<ZoneTable>> zones;
   std::vector<Read<NotchTable>> notches;
+  std::vector<Read<BeamTable>> beams;
   std::vector<Read<WallTable>> walls;
   std::vector<Read<SupportTable>> supports;
   std::vector<Read<MotionTable>> motions;

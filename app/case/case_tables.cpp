@@ -84,6 +84,24 @@ void NotchTable::declare(Parameters& parameters) {
                 "0: contacts that cross the notch lose their bond; more: particles with their centre in a slit of this "
                 "width, and elements in it, are taken away as well")
       .at_least(0.0);
+  parameters
+      .quantity("gap", gap, "m",
+                "by how much the faces stand apart: contacts that the notch cuts press only when this is closed; of a "
+                "sawn notch its width, though no particle is taken away")
+      .at_least(0.0);
+}
+
+void BeamTable::declare(Parameters& parameters) {
+  parameters.quantities("x", x, "m", "positions of the nodes, from one end to the other").required().length_at_least(2);
+  parameters.quantities("y", y, "m", "positions of the nodes, as many").required().length_at_least(2);
+  parameters.text("material", material, "name of the material").required();
+  parameters.quantity("depth", depth, "m", "height of the rectangular section, in the plane")
+      .required()
+      .greater_than(0.0);
+  parameters.quantity("width", width, "m", "width of the section, across the plane").required().greater_than(0.0);
+  parameters.choice(
+      "theory", theory, {{"euler_bernoulli", BeamTheory::euler_bernoulli}, {"timoshenko", BeamTheory::timoshenko}},
+      "'euler_bernoulli': sections stay normal to the axis; 'timoshenko': they shear, with 5/6 of their area");
 }
 
 void WallTable::declare(Parameters& parameters) {
@@ -93,8 +111,14 @@ void WallTable::declare(Parameters& parameters) {
       "contact", contact, {{"frictional", WallContact::frictional}, {"tied", WallContact::tied}},
       "'frictional': presses and rubs; 'tied': particles that touch it at set-up are held along its normal "
       "in tension, too, and are free along it");
-  parameters.number("friction_coefficient", friction_coefficient, "friction coefficient μ between wall and particles")
+  parameters
+      .number("friction_coefficient", friction_coefficient, "friction coefficient μ between wall and what it touches")
       .at_least(0.0);
+  parameters.choice("driven_by", driven_by, {{"motion", WallDrive::motion}, {"force", WallDrive::force}},
+                    "'motion': stands still unless a [[motion]] moves it; 'force': a platen, which moves and turns as "
+                    "the forces on it ask, of what it touches, of loads and of a beam");
+  parameters.text("beam", beam, "name of a beam with a node at the middle of the platen, which is hinged to it");
+  parameters.quantity("mass", mass, "kg", "mass of the platen; needed where masses are real").greater_than(0.0);
 }
 
 void BodySelection::declare(Parameters& parameters) {
@@ -104,11 +128,14 @@ void BodySelection::declare(Parameters& parameters) {
   parameters.integers("nodes", nodes, "numbers of nodes in the full grid, row by row from the bottom left, from 1")
       .at_least(1);
   parameters.integers("particles", particles, "numbers of particles, from 1").at_least(1);
+  parameters.text("beam", beam,
+                  "name of a beam: 'nodes' then count its nodes, from 1, and 'at' finds them; alone: all");
+  parameters.texts("walls", walls, "names of walls; in loads and supports those that are driven by force");
 }
 
 void SupportTable::declare(Parameters& parameters) {
   bodies.declare(parameters);
-  parameters.texts("fix", fix, "what is held: 'x', 'y', and 'rotation' of particles")
+  parameters.texts("fix", fix, "what is held: 'x', 'y', and 'rotation' of particles, nodes of beams, platens")
       .required()
       .length_at_least(1)
       .one_of({"x", "y", "rotation"});
@@ -128,7 +155,6 @@ void LoadSchedule::declare(Parameters& parameters) {
 
 void MotionTable::declare(Parameters& parameters) {
   bodies.declare(parameters);
-  parameters.texts("walls", walls, "names of walls");
   parameters.text("direction", direction, "axis of the prescribed motion").required().one_of({"x", "y"});
   parameters.quantity("velocity", velocity, "m/s", "prescribed velocity; or give 'displacement' or 'schedule'");
   parameters.quantity("displacement", displacement, "m", "displacement made until 'stop_time', instead of 'velocity'");
@@ -154,6 +180,7 @@ void LoadTable::declare(Parameters& parameters) {
 void GaugePoint::declare(Parameters& parameters) {
   parameters.integer("node", node, "number of the node").at_least(1);
   parameters.integer("particle", particle, "number of the particle").at_least(1);
+  parameters.text("beam", beam, "name of a beam, whose nodes 'node' then counts, from 1");
   parameters.text("wall", wall, "name of the wall");
   parameters.texts("supports", supports, "names of supports, whose reactions are summed up");
   parameters.text("direction", direction, "axis").required().one_of({"x", "y"});

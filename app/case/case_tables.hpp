@@ -12,6 +12,7 @@
 #include "core/model.hpp"
 #include "core/parameters.hpp"
 #include "io/case_table.hpp"
+#include "mesh/beam_properties.hpp"
 #include "simulation.hpp"
 
 /// The tables of a case file: what each may hold, bound to the members that take it.
@@ -80,12 +81,27 @@ struct NotchTable {
   std::array<double, 2> from{};
   std::array<double, 2> to{};
   double width = 0.0;
+  double gap = 0.0;
 
   void declare(Parameters& parameters);
 };
 
 /// How a wall holds the particles that touch it at set-up: by contact alone, or along its normal in tension as well.
 enum class WallContact { frictional, tied };
+/// Whether motions say how a wall moves, or the forces on it.
+enum class WallDrive { motion, force };
+
+struct BeamTable {
+  std::string name;
+  std::vector<double> x;
+  std::vector<double> y;
+  std::string material;
+  double depth = 0.0;
+  double width = 0.0;
+  BeamTheory theory = BeamTheory::timoshenko;
+
+  void declare(Parameters& parameters);
+};
 
 struct WallTable {
   std::string name;
@@ -93,6 +109,9 @@ struct WallTable {
   std::array<double, 2> to{};
   WallContact contact = WallContact::frictional;
   double friction_coefficient = 0.0;
+  WallDrive driven_by = WallDrive::motion;
+  std::optional<std::string> beam;
+  std::optional<double> mass;
 
   void declare(Parameters& parameters);
 };
@@ -103,6 +122,8 @@ struct BodySelection {
   std::optional<double> y;
   std::vector<std::int64_t> nodes;
   std::vector<std::int64_t> particles;
+  std::optional<std::string> beam;  ///< to whose nodes the above then belong
+  std::vector<std::string> walls;
 
   void declare(Parameters& parameters);
 };
@@ -136,7 +157,6 @@ struct LoadSchedule {
 struct MotionTable {
   std::string name;
   BodySelection bodies;
-  std::vector<std::string> walls;
   std::string direction;
   std::optional<double> velocity;
   std::optional<double> displacement;
@@ -159,13 +179,14 @@ struct LoadTable {
   void declare(Parameters& parameters);
 };
 
-/// One body, a place, a wall or the bodies of supports, and an axis.
+/// One body, a place, a wall, or the bodies of supports, and an axis.
 struct GaugePoint {
   bool is_given = false;
   std::optional<std::array<double, 2>> point;  ///< displacements alone
   std::vector<std::string> relative_to;        ///< names of supports; displacements alone
   std::optional<std::int64_t> node;
   std::optional<std::int64_t> particle;
+  std::optional<std::string> beam;
   std::optional<std::string> wall;
   std::vector<std::string> supports;
   std::string direction;

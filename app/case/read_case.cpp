@@ -118,6 +118,7 @@ Case read_case(CaseFile case_file, InputFiles files) {
   read_single(file, "generation", input.generation);
   input.zones = read_zones(file, input.files);
   input.notches = read_array<NotchTable>(file, "notch");
+  input.beams = read_array<BeamTable>(file, "beam");
   input.walls = read_array<WallTable>(file, "wall");
   input.supports = read_array<SupportTable>(file, "support");
   input.motions = read_array<MotionTable>(file, "motion");

@@ -22,13 +22,13 @@ ExternalForces external_forces(const Simulation& simulation, const std::vector<P
   const State& state = simulation.state();
   ExternalForces forces;
   // Internal forces cancel: what remains of the resultants is loads and gravity.
-  forces.driving = sum(state.particles.translation.force) + sum(state.nodes.translation.force);
+  forces.driving = sum(state.particles.translation.force) + sum(state.nodes.translation.force) +
+                   sum(state.beam_nodes.translation.force);
   for (const PrescribedFreedom& freedom : freedoms) {
     if (freedom.axis >= dimension) continue;
-    const bool on_node = freedom.body == PrescribedFreedom::Body::node;
-    const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
-    const Field<Vector>& free = on_node ? model.nodes.free : model.particles.free;
-    const double force = component(reaction(bodies, free, state.clock, freedom.row), freedom.axis);
+    const Vector holding =
+        reaction(translation_of(state, freedom.body), free_of(model, freedom.body), state.clock, freedom.row);
+    const double force = component(holding, freedom.axis);
     Vector& side = freedom.motions.empty() ? forces.supporting : forces.driving;
     set_component(side, freedom.axis, component(side, freedom.axis) + force);
   }

@@ -1,7 +1,7 @@
 #include "run/field_output.hpp"
 
 #include "contact/facet_search.hpp"
-#include "integrator/prescribed_motion.hpp"
+#include "integrator/platens.hpp"
 #include "mesh/element_properties.hpp"
 #include "run/crack_planes.hpp"
 
@@ -148,10 +148,28 @@ FieldGroup wall_fields(const Model& model, const State& state) {
   for (std::size_t i = 0; i < group.points.size() / n_space; ++i) {
     group.connectivity.push_back(static_cast<std::int64_t>(i));
     const auto row = static_cast<Index>(model.n_mesh_nodes() + i);
-    reactions.push_back(reaction(state.nodes.translation, model.nodes.free, state.clock, row));
+    reactions.push_back(holding_force(model, state, row));
   }
   group.point_data = {vectors("displacement", "m", of_walls(state.nodes.translation.displacement)),
                       vectors("reaction", "N", reactions)};
+  return group;
+}
+
+FieldGroup beam_fields(const Model& model, const State& state) {
+  // The middles of platens come after the nodes of beams.
+  std::size_t n_nodes = 0;
+  for (const Beam& beam : model.beams) n_nodes += static_cast<std::size_t>(beam.n_nodes);
+  const auto of_beams = [&](const auto& rows) { return part_of(rows, 0, n_nodes); };
+  const BeamNodeState& nodes = state.beam_nodes;
+  FieldGroup group{
+      .name = "beams", .cell_type = CellType::line, .points = points_of(of_beams(model.beam_nodes.position))};
+  for (const auto& ends : model.beam_elements.nodes) {
+    for (const Index node : ends) group.connectivity.push_back(node);
+  }
+  group.point_data = {vectors("displacement", "m", of_beams(nodes.translation.displacement)),
+                      numbers("rotation", "rad", of_beams(nodes.rotation.rotation)),
+                      vectors("velocity", "m/s", of_beams(velocities(nodes.translation))),
+                      integers("id", of_beams(model.beam_nodes.id))};
   return group;
 }
 
@@ -178,10 +196,11 @@ FieldOutput::FieldOutput(const std::filesystem::path& folder)
     : particles_(folder, "particles"),
       elements_(folder, "elements"),
       contacts_(folder, "contacts"),
-      walls_(folder, "walls") {}
+      walls_(folder, "walls"),
+      beams_(folder, "beams") {}
 
 void FieldOutput::resume(std::int64_t last_step) {
-  for (FieldSeries* series : {&particles_, &elements_, &contacts_, &walls_}) series->resume(last_step);
+  for (FieldSeries* series : {&particles_, &elements_, &contacts_, &walls_, &beams_}) series->resume(last_step);
 }
 
 void FieldOutput::add(const Model& model, const State& state) {
@@ -196,14 +215,16 @@ void FieldOutput::add(const Model& model, const State& state) {
   }
   if (model.elements.size() > 0) add_group(elements_, element_fields(model, state));
   if (!model.walls.empty()) add_group(walls_, wall_fields(model, state));
+  if (!model.beams.empty()) add_group(beams_, beam_fields(model, state));
 }
 
 void FieldOutput::flush() {
-  for (FieldSeries* series : {&particles_, &elements_, &contacts_, &walls_}) series->flush();
+  for (FieldSeries* series : {&particles_, &elements_, &contacts_, &walls_, &beams_}) series->flush();
 }
 
 std::size_t FieldOutput::n_waiting() const {
-  return particles_.n_waiting() + elements_.n_waiting() + contacts_.n_waiting() + walls_.n_waiting();
+  return particles_.n_waiting() + elements_.n_waiting() + contacts_.n_waiting() + walls_.n_waiting() +
+         beams_.n_waiting();
 }
 
 }  // namespace ligament

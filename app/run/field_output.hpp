@@ -9,12 +9,13 @@
 
 namespace ligament {
 
-/// The state as groups of fields for ParaView and other programs: discs at their centres, elements, contacts and
-/// walls as lines. Points are positions at rest.
+/// The state as groups of fields for ParaView and other programs: discs at their centres, elements; contacts,
+/// walls and beams as lines. Points are positions at rest.
 FieldGroup particle_fields(const Model& model, const State& state);
 FieldGroup element_fields(const Model& model, const State& state);
 FieldGroup contact_fields(const Model& model, const State& state);
 FieldGroup wall_fields(const Model& model, const State& state);
+FieldGroup beam_fields(const Model& model, const State& state);
 
 /// The folder fields/ of a run: one immutable file per group and output, and their time series.
 class FieldOutput {
@@ -35,6 +36,7 @@ class FieldOutput {
   FieldSeries elements_;
   FieldSeries contacts_;
   FieldSeries walls_;
+  FieldSeries beams_;
 };
 
 }  // namespace ligament

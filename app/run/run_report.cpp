@@ -50,7 +50,14 @@ std::vector<std::string> describe(const Case& input, const BuiltSimulation& buil
     lines.push_back(fmt::format("{} contacts are cut by notches", sizes.n_cut_contacts));
   }
   if (const auto& walls = built.simulation.model().walls; !walls.empty()) {
-    lines.push_back(fmt::format("{} walls, {} particles touch them", walls.size(), sizes.n_wall_contacts));
+    const std::size_t n_seats = built.simulation.state().seat_contacts.size();
+    lines.push_back(fmt::format("{} walls, {} particles touch them", walls.size(), sizes.n_wall_contacts) +
+                    (n_seats > 0 ? fmt::format(", {} nodes of elements stand on them", n_seats) : ""));
+  }
+  const Model& model = built.simulation.model();
+  if (!model.beams.empty() || !model.platens.empty()) {
+    lines.push_back(fmt::format("{} beams of {} elements; {} walls are platens", model.beams.size(),
+                                model.beam_elements.size(), model.platens.size()));
   }
   for (const auto& [zone, entries] : built.reports) {
     std::string line = fmt::format("zone {}:", zone);

@@ -36,7 +36,8 @@ class ContactForces : public ForceProvider {
     assemble_contacts<Pairing>(model, state, stiffness);
   }
 
-  void add_secants(const State& state, const ContactMemory& before, std::vector<double>& stiffness) const override {
+  void add_secants(const Model& /*model*/, const State& state, const ContactMemory& before,
+                   std::vector<double>& stiffness) const override {
     const ContactTable& contacts = Pairing::table(state);
     for (std::size_t row = 0; row < contacts.size(); ++row) {
       stiffness.push_back(normal_secant(contacts, Pairing::table(before), row));

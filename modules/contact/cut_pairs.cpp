@@ -35,6 +35,24 @@ Vector behind(const Vector& touched, const Vector& centre) {
   return touched + part * (touched - centre);
 }
 
+/// The end of the branch of a particle to a facet or corner.
+Vector facet_end(const Model& model, const SetupPair& pair) {
+  const Vector& centre = model.particles.position[pair.first];
+  return behind(nearest_point(model, pair.second, centre), centre);
+}
+Vector corner_end(const Model& model, const SetupPair& pair) {
+  return behind(model.nodes.position[pair.second], model.particles.position[pair.first]);
+}
+
+/// The largest gap of the notches that separate two places.
+double gap_between(const Model& model, const Vector& centre, const Vector& end) {
+  double gap = 0.0;
+  for (const Notch& notch : model.notches) {
+    if (notch.gap > gap && separates(notch, centre, end)) gap = notch.gap;
+  }
+  return gap;
+}
+
 struct CutPairs {
   std::vector<SetupPair> particles;
   std::vector<SetupPair> facets;
@@ -52,13 +70,9 @@ CutPairs cut_by(const Model& model, std::span<const Notch> notches) {
   const Field<Vector>& centres = model.particles.position;
   return {separated(model, notches, model.particle_pairs, [&](const SetupPair& pair) { return centres[pair.second]; }),
           separated(model, notches, below(model.facet_pairs, model.n_element_facets()),
-                    [&](const SetupPair& pair) {
-                      const Vector& centre = centres[pair.first];
-                      return behind(nearest_point(model, pair.second, centre), centre);
-                    }),
-          separated(model, notches, below(model.corner_pairs, model.n_mesh_nodes()), [&](const SetupPair& pair) {
-            return behind(model.nodes.position[pair.second], centres[pair.first]);
-          })};
+                    [&](const SetupPair& pair) { return facet_end(model, pair); }),
+          separated(model, notches, below(model.corner_pairs, model.n_mesh_nodes()),
+                    [&](const SetupPair& pair) { return corner_end(model, pair); })};
 }
 
 }  // namespace
@@ -68,6 +82,20 @@ void find_cut_pairs(Model& model) {
   model.cut_particle_pairs = std::move(cut.particles);
   model.cut_facet_pairs = std::move(cut.facets);
   model.cut_corner_pairs = std::move(cut.corners);
+}
+
+double particle_gap(const Model& model, const SetupPair& pair) {
+  return gap_between(model, model.particles.position[pair.first], model.particles.position[pair.second]);
+}
+
+double facet_gap(const Model& model, const SetupPair& pair) {
+  if (static_cast<std::size_t>(pair.second) >= model.n_element_facets()) return 0.0;
+  return gap_between(model, model.particles.position[pair.first], facet_end(model, pair));
+}
+
+double corner_gap(const Model& model, const SetupPair& pair) {
+  if (static_cast<std::size_t>(pair.second) >= model.n_mesh_nodes()) return 0.0;
+  return gap_between(model, model.particles.position[pair.first], corner_end(model, pair));
 }
 
 bool cuts_pairs(const Model& model, const Notch& notch) {

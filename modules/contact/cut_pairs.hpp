@@ -12,4 +12,9 @@ void find_cut_pairs(Model& model);
 /// Whether a notch cuts any pair of set-up.
 bool cuts_pairs(const Model& model, const Notch& notch);
 
+/// By how much the faces of the notches between a pair stand apart (m); 0 where there is none.
+double particle_gap(const Model& model, const SetupPair& pair);
+double facet_gap(const Model& model, const SetupPair& pair);
+double corner_gap(const Model& model, const SetupPair& pair);
+
 }  // namespace ligament

@@ -11,6 +11,7 @@
 #include "contact/law_ranges.hpp"
 #include "contact/new_contacts.hpp"
 #include "contact/particle_search.hpp"
+#include "contact/seats.hpp"
 #include "contact/sliding_contacts.hpp"
 
 namespace ligament {
@@ -166,6 +167,7 @@ void GridContactDetector::bond(Model& model, State& state) {
   open_dropped_energies(state.ledger);
   rebuild_particle_contacts(model, state, true);
   rebuild_interface_contacts(model, state, true);
+  make_seats(model, state);
   state.search.particle_displacement = state.particles.translation.displacement;
   state.search.node_displacement = state.nodes.translation.displacement;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "contact/contact_stiffness.hpp"
+#include "contact/cut_pairs.hpp"
 #include "contact/facet_search.hpp"
 #include "contact/pairings.hpp"
 #include "core/error.hpp"
@@ -19,6 +20,7 @@ struct NewContact {
   Index bond_law = -1;
   bool is_setup = false;
   double rest_distance = 0.0;  ///< (m)
+  double cut_gap = 0.0;        ///< of a notch between bodies of set-up (m)
   double free_distance = 0.0;  ///< at which bodies apart at set-up touch (m)
   double height = 0.0;         ///< H of Eq. (33) (m)
   double length = 0.0;         ///< L of Eq. (33) (m)
@@ -26,7 +28,7 @@ struct NewContact {
 
 void fill(const Model& model, ContactTable& contacts, std::size_t row, const NewContact& contact) {
   contacts.rest_distance[row] = contact.rest_distance;
-  contacts.initial_gap[row] = contact.is_setup ? 0.0 : contact.rest_distance - contact.free_distance;
+  contacts.initial_gap[row] = contact.is_setup ? contact.cut_gap : contact.rest_distance - contact.free_distance;
   const ContactStiffness stiffness =
       contact_stiffness(contact.material, model.plane, contact.height, contact.length, model.thickness);
   contacts.normal_stiffness[row] = stiffness.normal;
@@ -46,6 +48,7 @@ void measure_opening(const Model& model, const State& state, ContactTable& conta
 struct InterfacePlace {
   double distance = 0.0;  ///< at rest (m)
   bool is_setup = false;
+  double cut_gap = 0.0;
   const Wall* wall = nullptr;
 };
 
@@ -77,6 +80,7 @@ void fill_interface_contact(const Model& model, ContactTable& contacts, std::siz
         .bond_law = interface_laws(model, pair, place.wall).bond,
         .is_setup = place.is_setup,
         .rest_distance = place.distance,
+        .cut_gap = place.cut_gap,
         .free_distance = radius,
         .height = 2.0 * radius,
         .length = length});
@@ -137,6 +141,7 @@ void fill_particle_contact(const Model& model, const State& state, ContactTable&
         .bond_law = material.bond_law,
         .is_setup = is_setup,
         .rest_distance = distance,
+        .cut_gap = particle_gap(model, pair),
         .free_distance = radii,
         .height = height,
         .length = use_radii ? radii : distance});
@@ -145,17 +150,17 @@ void fill_particle_contact(const Model& model, const State& state, ContactTable&
 
 void fill_facet_contact(const Model& model, const State& state, ContactTable& contacts, std::size_t row) {
   const SetupPair pair = pair_at(contacts, row);
-  fill_interface_contact(
-      model, contacts, row,
-      {facet_rest_distance(model, pair), is_setup_pair(model.facet_pairs, pair), wall_of_facet(model, pair)});
+  fill_interface_contact(model, contacts, row,
+                         {facet_rest_distance(model, pair), is_setup_pair(model.facet_pairs, pair),
+                          facet_gap(model, pair), wall_of_facet(model, pair)});
   measure_opening<FacetPairing>(model, state, contacts, row);
 }
 
 void fill_corner_contact(const Model& model, const State& state, ContactTable& contacts, std::size_t row) {
   const SetupPair pair = pair_at(contacts, row);
-  fill_interface_contact(
-      model, contacts, row,
-      {corner_rest_distance(model, pair), is_setup_pair(model.corner_pairs, pair), model.wall_of_node(pair.second)});
+  fill_interface_contact(model, contacts, row,
+                         {corner_rest_distance(model, pair), is_setup_pair(model.corner_pairs, pair),
+                          corner_gap(model, pair), model.wall_of_node(pair.second)});
   measure_opening<CornerPairing>(model, state, contacts, row);
 }
 

@@ -8,7 +8,7 @@
 #include "core/state.hpp"
 #include "core/stiffness_bounds.hpp"
 
-/// The three kinds of contact. Each says where its table is, how its bodies move against each other, which bodies its
+/// The kinds of contact. Each says where its table is, how its bodies move against each other, which bodies its
 /// ends are at and how a contact force reaches them, Eqs (25)-(28), and what stiffness they feel. ContactForces makes
 /// the rest.
 namespace ligament {
@@ -31,7 +31,7 @@ struct EndForce {
 
 enum class BodyKind { particle, node };
 
-/// On the first body, always a particle.
+/// On a particle that is the first body.
 inline EndForce force_on_first(const ContactGeometry& geometry, const ContactPointForce& contact) {
   return {-contact.force, -(geometry.arm_first * contact.shear)};
 }
@@ -194,6 +194,51 @@ struct CornerPairing {
     bounds.particle_translation[a] += bound.translation;
     bounds.particle_rotation[a] += bound.rotation_first;
     bounds.node_translation[contacts.second[row]] += bound.translation;
+  }
+};
+
+/// A node of elements on a wall: a particle without a radius.
+struct SeatPairing {
+  static constexpr const char* name = "interface";
+  static auto& table(auto& state) { return state.seat_contacts; }
+
+  static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
+    const ContactTable& contacts = state.seat_contacts;
+    const Index a = contacts.first[row];
+    const auto& [i, j] = model.facets.nodes[contacts.second[row]];
+    const TranslationState& nodes = state.nodes.translation;
+    const FacetMotion facet{
+        model.nodes.position[j] - model.nodes.position[i], nodes.displacement[j] - nodes.displacement[i],
+        nodes.increment[j] - nodes.increment[i],           model.nodes.position[a] - model.nodes.position[i],
+        nodes.displacement[a] - nodes.displacement[i],     nodes.increment[a] - nodes.increment[i]};
+    return facet_motion(facet, reference_of(contacts, row), 0.0);
+  }
+
+  static void measure(const Model& model, const State& state, const LawBlock& block, BlockMotion& block_motion) {
+    measure_one_by_one<SeatPairing>(model, state, block, block_motion);
+  }
+
+  static constexpr std::size_t n_ends = 3;
+  static constexpr std::array<BodyKind, n_ends> end_kinds{BodyKind::node, BodyKind::node, BodyKind::node};
+
+  static std::array<Index, n_ends> end_bodies(const Model& model, const ContactTable& contacts, std::size_t row) {
+    const auto& [i, j] = model.facets.nodes[contacts.second[row]];
+    return {contacts.first[row], i, j};
+  }
+
+  static std::array<EndForce, n_ends> end_forces(const ContactGeometry& geometry, const ContactPointForce& contact) {
+    return {
+        {{-contact.force, 0.0}, {(1.0 - geometry.share) * contact.force, 0.0}, {geometry.share * contact.force, 0.0}}};
+  }
+
+  static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
+                            StiffnessBounds& bounds) {
+    const ContactTable& contacts = state.seat_contacts;
+    const auto& [i, j] = model.facets.nodes[contacts.second[row]];
+    const ContactBound bound = contact_bound(contacts.normal_stiffness[row], contacts.shear_stiffness[row], 0.0, 0.0);
+    bounds.node_translation[contacts.first[row]] += bound.translation;
+    bounds.node_translation[i] += std::abs(1.0 - geometry.share) * bound.translation;
+    bounds.node_translation[j] += std::abs(geometry.share) * bound.translation;
   }
 };
 

@@ -33,12 +33,14 @@ void ContactMemory::take(const State& state) {
   ligament::take(state.particle_contacts, particle_contacts);
   ligament::take(state.facet_contacts, facet_contacts);
   ligament::take(state.corner_contacts, corner_contacts);
+  ligament::take(state.seat_contacts, seat_contacts);
 }
 
 void ContactMemory::put_back(State& state) const {
   ligament::put_back(particle_contacts, state.particle_contacts);
   ligament::put_back(facet_contacts, state.facet_contacts);
   ligament::put_back(corner_contacts, state.corner_contacts);
+  ligament::put_back(seat_contacts, state.seat_contacts);
 }
 
 }  // namespace ligament

@@ -18,6 +18,7 @@ struct ContactMemory {
   Table particle_contacts;
   Table facet_contacts;
   Table corner_contacts;
+  Table seat_contacts;
 
   /// Takes it from the state.
   void take(const State& state);

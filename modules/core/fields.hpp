@@ -47,7 +47,7 @@ void visit_fields(Table& table, Visitor&& visit) {
   visit("inertia", inertia, FieldRole::physics);
 }
 
-template <TableOf<ParticleState> Table, class Visitor>
+template <TableOf<TurningState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
   auto& [translation, rotation] = table;
   visit_fields(translation, visit);
@@ -58,6 +58,12 @@ template <TableOf<NodeState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
   auto& [translation] = table;
   visit_fields(translation, visit);
+}
+
+template <TableOf<PlatenState> Table, class Visitor>
+void visit_fields(Table& table, Visitor&& visit) {
+  auto& [force] = table;
+  visit("force", force, FieldRole::physics);
 }
 
 /// The fields of a contact table that have one row per contact.
@@ -131,11 +137,13 @@ void visit_fields(Table& table, Visitor&& visit) {
 
 template <TableOf<RelaxationState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
-  auto& [damping, particle_force, particle_moment, node_force, momentum, force] = table;
+  auto& [damping, particle_force, particle_moment, node_force, beam_force, beam_moment, momentum, force] = table;
   visit("damping", damping, FieldRole::physics);
   visit("particle_force", particle_force, FieldRole::physics);
   visit("particle_moment", particle_moment, FieldRole::physics);
   visit("node_force", node_force, FieldRole::physics);
+  visit("beam_force", beam_force, FieldRole::physics);
+  visit("beam_moment", beam_moment, FieldRole::physics);
   visit("momentum", momentum, FieldRole::physics);
   visit("force", force, FieldRole::physics);
 }
@@ -153,8 +161,8 @@ void visit_fields(Table& table, Visitor&& visit) {
 /// All fields of the state, as visit(name, field, role), names as "<table>.<field>".
 template <TableOf<State> Table, class Visitor>
 void visit_fields(Table& state, Visitor&& visit) {
-  auto& [clock, particles, nodes, particle_contacts, facet_contacts, corner_contacts, search, stage, relaxation,
-         loading, cracks, ledger] = state;
+  auto& [clock, particles, nodes, beam_nodes, platens, particle_contacts, facet_contacts, corner_contacts,
+         seat_contacts, search, stage, relaxation, loading, cracks, ledger] = state;
   const auto visit_table = [&visit](const std::string& name, auto& table) {
     visit_fields(table, [&](const std::string& field_name, auto& field, FieldRole role) {
       visit(name + "." + field_name, field, role);
@@ -163,9 +171,12 @@ void visit_fields(Table& state, Visitor&& visit) {
   visit_table("clock", clock);
   visit_table("particles", particles);
   visit_table("nodes", nodes);
+  visit_table("beam_nodes", beam_nodes);
+  visit_table("platens", platens);
   visit_table("particle_contacts", particle_contacts);
   visit_table("facet_contacts", facet_contacts);
   visit_table("corner_contacts", corner_contacts);
+  visit_table("seat_contacts", seat_contacts);
   visit_table("search", search);
   visit_table("stage", stage);
   visit_table("relaxation", relaxation);

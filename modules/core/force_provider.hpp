@@ -53,7 +53,7 @@ class ForceProvider : public EnergySource {
 
   /// Adds the stiffness (N/m) with which each of its springs, in the order of assemble(), would carry the force it has,
   /// from where it has none, `before` being what contacts remember. It lies between 0 and the elastic one.
-  virtual void add_secants(const State& /*state*/, const ContactMemory& /*before*/,
+  virtual void add_secants(const Model& /*model*/, const State& /*state*/, const ContactMemory& /*before*/,
                            std::vector<double>& /*stiffness*/) const {}
 
   /// The forces that say how large an unbalanced force is: those of contacts; those of elements where there are no

@@ -56,6 +56,37 @@ struct FacetData {
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
 };
 
+/// Nodes of beams, beam by beam, and the middles of platens after them.
+struct BeamNodeData {
+  Field<Vector> position;       ///< at rest (m)
+  Field<double> real_mass;      ///< lumped (kg)
+  Field<double> real_inertia;   ///< lumped (kg m2)
+  Field<double> lever;          ///< l: rotations are measured as l θ where they stand beside translations (m)
+  Field<Index> id;              ///< number along its beam, counted from 1; 0 for the middles of platens
+  Field<Vector> free;           ///< see ParticleData::free
+  Field<double> rotation_free;  ///< likewise
+
+  [[nodiscard]] std::size_t size() const { return position.size(); }
+};
+
+/// 2-node beam elements of small deflection, each as the three springs that its stiffness consists of; see
+/// beam_springs.
+struct BeamElementData {
+  Field<std::array<Index, 2>> nodes;  ///< rows of Model::beam_nodes
+  Field<double> axial;                ///< E A / L (N/m)
+  Field<double> bending;              ///< E I / L, of a constant moment (N m)
+  Field<double> shear;                ///< 12 E I / (L³ (1 + Φ)), of a constant shear force (N/m)
+
+  [[nodiscard]] std::size_t size() const { return nodes.size(); }
+};
+
+/// A row of beam elements from node to node.
+struct Beam {
+  std::string name;
+  Index first_node = 0;  ///< row of Model::beam_nodes
+  Index n_nodes = 0;
+};
+
 /// A contact law bound to the material whose contacts it serves.
 struct LawBinding {
   std::string name;  ///< "<material>.bond" or "<material>.contact"
@@ -98,12 +129,21 @@ struct SetupPair {
   friend auto operator<=>(const SetupPair&, const SetupPair&) = default;
 };
 
-/// A rigid segment whose motion is prescribed: a facet without an element. Its two end nodes follow those of the mesh
-/// in Model::nodes, its facet those of the elements in Model::facets, wall by wall.
+/// A rigid segment whose motion is prescribed, or that forces move if it is a platen: a facet without an element. Its
+/// two end nodes follow those of the mesh in Model::nodes, its facet those of the elements in Model::facets, wall by
+/// wall.
 struct Wall {
   std::string name;
   Index bond_law = -1;     ///< row of Model::laws for particles tied to it at set-up; -1 if it ties none
   Index contact_law = -1;  ///< row of Model::laws for all other particles
+};
+
+/// A wall that is moved by forces: its ends follow its middle as a rigid segment does. Where a beam rests on it, the
+/// middle translates as the node of the beam does, and turns by itself: a hinge.
+struct Platen {
+  Index wall = 0;         ///< row of Model::walls
+  Index translation = 0;  ///< row of Model::beam_nodes that it translates with
+  Index rotation = 0;     ///< row of Model::beam_nodes that it turns with, its own
 };
 
 struct Model {
@@ -119,6 +159,10 @@ struct Model {
   FacetData facets;
   std::vector<Wall> walls;
   std::vector<Notch> notches;
+  BeamNodeData beam_nodes;
+  BeamElementData beam_elements;
+  std::vector<Beam> beams;
+  std::vector<Platen> platens;
 
   /// Sorted. These pairs keep their distance at set-up as reference for ever, so that a cut or broken bond that closes
   /// again finds no overlap it never had.
@@ -136,6 +180,13 @@ struct Model {
   /// The nodes at the ends of a wall.
   [[nodiscard]] std::array<Index, 2> wall_nodes(std::size_t wall) const {
     return facets.nodes[n_element_facets() + wall];
+  }
+  /// The platen that a wall is; null if its motion is prescribed.
+  [[nodiscard]] const Platen* platen_of_wall(std::size_t wall) const {
+    for (const Platen& platen : platens) {
+      if (static_cast<std::size_t>(platen.wall) == wall) return &platen;
+    }
+    return nullptr;
   }
   /// The wall that a node is an end of; null for nodes of the mesh.
   [[nodiscard]] const Wall* wall_of_node(Index node) const {

@@ -13,6 +13,7 @@ struct Notch {
   Vector from;              ///< one end of its middle line (m)
   Vector to;                ///< the other end (m)
   double width = 0.0;       ///< of the slit; 0 for a cut that takes nothing away (m)
+  double gap = 0.0;         ///< by which its faces stand apart for what it separates (m)
   std::size_t n_taken = 0;  ///< particles and elements that the slit has taken away
 };
 

@@ -48,13 +48,21 @@ struct RotationState {
   Field<double> inertia;      ///< real or scaled (kg m2)
 };
 
-struct ParticleState {
+/// Bodies that move and turn.
+struct TurningState {
   TranslationState translation;
   RotationState rotation;
 };
+using ParticleState = TurningState;
+using BeamNodeState = TurningState;
 
 struct NodeState {
   TranslationState translation;
+};
+
+/// What passes through platens.
+struct PlatenState {
+  Field<Vector> force;  ///< on both ends of every platen at n, handed on to its middle (N)
 };
 
 /// One array of history for the contacts of one law, in their order.
@@ -65,14 +73,15 @@ struct HistoryColumn {
 };
 
 /// Contacts of one kind, sorted by (law, first, second): the contacts of a law are one contiguous range.
-/// `first` is a particle; `second` a particle, a facet or a node.
+/// `first` is a particle; `second` a particle, a facet or a node. Of seats `first` is a node, `second` a facet.
 struct ContactTable {
   Field<Index> law;     ///< row of Model::laws
   Field<Index> first;   ///< A, "U1"
   Field<Index> second;  ///< B, "U2"
   // Constant while the contact lives.
-  Field<double> rest_distance;     ///< distance of the bodies at rest (m)
-  Field<double> initial_gap;       ///< rest distance less the reference distance d_ref (m); 0 for pairs of set-up
+  Field<double> rest_distance;  ///< distance of the bodies at rest (m)
+  Field<double>
+      initial_gap;  ///< rest distance less the reference distance d_ref (m); of pairs of set-up that of a notch
   Field<double> normal_stiffness;  ///< k_n (N/m)
   Field<double> shear_stiffness;   ///< k_s (N/m)
   Field<double> area;              ///< A = H t (m2)
@@ -135,6 +144,8 @@ struct RelaxationState {
   Field<Vector> particle_force;
   Field<Moment> particle_moment;
   Field<Vector> node_force;
+  Field<Vector> beam_force;
+  Field<Moment> beam_moment;
   /// Of relaxation with two levels of masses: momenta p(n+½) and forces at n of all freedoms in one column.
   Field<double> momentum;
   Field<double> force;
@@ -144,9 +155,12 @@ struct State {
   Clock clock;
   ParticleState particles;
   NodeState nodes;
+  BeamNodeState beam_nodes;
+  PlatenState platens;
   ContactTable particle_contacts;
   ContactTable facet_contacts;
   ContactTable corner_contacts;
+  ContactTable seat_contacts;  ///< nodes of elements that stand on walls
   SearchState search;
   StageState stage;
   RelaxationState relaxation;

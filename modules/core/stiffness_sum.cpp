@@ -2,8 +2,31 @@
 
 namespace ligament {
 
+StiffnessSum::StiffnessSum(const Model& model) : numbers_(model) {
+  for (const Platen& platen : model.platens) {
+    for (const Index node : model.wall_nodes(platen.wall)) {
+      // The motion of a place at r of a body that turns.
+      const Vector turning =
+          cross(Rotation{1.0}, model.nodes.position[node] - model.beam_nodes.position[platen.translation]);
+      for (int axis = 0; axis < dimension; ++axis) {
+        followers_[numbers_.node(node, axis)] = {{numbers_.beam_node(platen.translation, axis), 1.0},
+                                                 {numbers_.beam_rotation(platen.rotation), component(turning, axis)}};
+      }
+    }
+  }
+}
+
 void StiffnessSum::add_spring(std::span<const SpringTerm> terms, double stiffness) {
-  terms_.insert(terms_.end(), terms.begin(), terms.end());
+  for (const SpringTerm& term : terms) {
+    const auto follower = followers_.find(term.freedom);
+    if (follower == followers_.end()) {
+      terms_.push_back(term);
+      continue;
+    }
+    for (const SpringTerm& leader : follower->second) {
+      terms_.push_back({leader.freedom, term.factor * leader.factor});
+    }
+  }
   begin_.push_back(terms_.size());
   stiffness_.push_back(stiffness);
 }

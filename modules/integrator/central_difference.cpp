@@ -81,6 +81,11 @@ HalfWorks damping_work(const Model& model, const State& state) {
   all += block_sum(model.nodes.size(), [&](std::size_t i) {
     return damping_work(state.nodes.translation, model.nodes.free[i], state.clock, i);
   });
+  all += block_sum(model.beam_nodes.size(), [&](std::size_t i) {
+    HalfWorks work = damping_work(state.beam_nodes.translation, model.beam_nodes.free[i], state.clock, i);
+    work += damping_work(state.beam_nodes.rotation, model.beam_nodes.rotation_free[i], state.clock, i);
+    return work;
+  });
   return all;
 }
 
@@ -127,6 +132,9 @@ void CentralDifference::update_velocities(const Model& model, State& state) {
   parallel_ranges(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
     accelerate(state.nodes.translation, model.nodes.free, coefficients_, time, {begin, end});
   });
+  const Rows all_beams{0, model.beam_nodes.size()};
+  accelerate(state.beam_nodes.translation, model.beam_nodes.free, coefficients_, time, all_beams);
+  accelerate(state.beam_nodes.rotation, model.beam_nodes.rotation_free, coefficients_, time, all_beams);
 }
 
 void CentralDifference::book_work(const Model& model, State& state) {
@@ -140,16 +148,23 @@ void CentralDifference::book_work(const Model& model, State& state) {
     step_change += step_change_work(state.particles.translation, state.clock);
     step_change += step_change_work(state.particles.rotation, state.clock);
     step_change += step_change_work(state.nodes.translation, state.clock);
+    step_change += step_change_work(state.beam_nodes.translation, state.clock);
+    step_change += step_change_work(state.beam_nodes.rotation, state.clock);
   }
   state.ledger[state.ledger.open(step_change_line)].book(step_change.behind, step_change.ahead);
 }
 
-std::vector<EnergyTerm> CentralDifference::energies(const Model& /*model*/, const State& state) const {
-  return {{"kinetic_particles", EnergyKind::kinetic, kinetic_energy(state.particles.translation)},
-          {"kinetic_rotation", EnergyKind::kinetic, kinetic_energy(state.particles.rotation)},
-          {"kinetic_nodes", EnergyKind::kinetic, kinetic_energy(state.nodes.translation)},
-          {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(ledger_lines::damping)},
-          {"step_change", EnergyKind::work, state.ledger.total(step_change_line)}};
+std::vector<EnergyTerm> CentralDifference::energies(const Model& model, const State& state) const {
+  std::vector<EnergyTerm> terms{{"kinetic_particles", EnergyKind::kinetic, kinetic_energy(state.particles.translation)},
+                                {"kinetic_rotation", EnergyKind::kinetic, kinetic_energy(state.particles.rotation)},
+                                {"kinetic_nodes", EnergyKind::kinetic, kinetic_energy(state.nodes.translation)},
+                                {"damping", EnergyKind::dissipated, 0.0 - state.ledger.total(ledger_lines::damping)},
+                                {"step_change", EnergyKind::work, state.ledger.total(step_change_line)}};
+  if (model.beam_nodes.size() > 0) {
+    terms.push_back({"kinetic_beams", EnergyKind::kinetic,
+                     kinetic_energy(state.beam_nodes.translation) + kinetic_energy(state.beam_nodes.rotation)});
+  }
+  return terms;
 }
 
 }  // namespace ligament

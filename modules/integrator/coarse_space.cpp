@@ -12,7 +12,7 @@ namespace {
 
 /// A body in its cell: the corners around it, their shape functions and the gradients of these (1/m).
 struct CellPlace {
-  std::array<Index, 4> corners;
+  std::array<Index, 4> freedoms;  ///< the first of every corner
   std::array<double, 4> shape;
   std::array<Vector, 4> gradient;
 };
@@ -26,7 +26,10 @@ double local_coordinate(double position, double origin, double cell, std::size_t
 }  // namespace
 
 Rectangle extent_of(const Model& model) {
-  const Vector& any = model.nodes.size() > 0 ? model.nodes.position[0] : model.particles.position[0];
+  const auto& bodies = model.nodes.size() > 0       ? model.nodes.position
+                       : model.particles.size() > 0 ? model.particles.position
+                                                    : model.beam_nodes.position;
+  const Vector& any = bodies[0];
   Rectangle extent{any, any};
   const auto see = [&extent](const Vector& place) {
     for (int axis = 0; axis < dimension; ++axis) {
@@ -36,6 +39,9 @@ Rectangle extent_of(const Model& model) {
   };
   for (const Vector& place : model.particles.position) see(place);
   for (const Vector& place : model.nodes.position) see(place);
+  // Beams alone have no other.
+  if (model.particles.size() + model.nodes.size() > 0) return extent;
+  for (const Vector& place : model.beam_nodes.position) see(place);
   return extent;
 }
 
@@ -64,28 +70,51 @@ Index CoarseSpace::Grid::corner(const std::array<std::size_t, dimension>& place)
   return static_cast<Index>(place[long_axis] * (n_cells[short_axis] + 1) + place[short_axis]);
 }
 
+std::array<std::size_t, dimension> CoarseSpace::Grid::cell_of(const Vector& position,
+                                                              std::array<double, dimension>& local) const {
+  std::array<std::size_t, dimension> number{};
+  for (int axis = 0; axis < dimension; ++axis) {
+    local[axis] = local_coordinate(component(position, axis), component(origin, axis), component(cell, axis),
+                                   n_cells[axis], number[axis]);
+  }
+  return number;
+}
+
+CoarseSpace::Numbers::Numbers(const Model& model, const Grid& grid) : beam_node(model.beam_nodes.size()) {
+  std::vector<std::vector<std::size_t>> nodes_at(grid.n_corners());
+  for (std::size_t i = 0; i < beam_node.size(); ++i) {
+    std::array<double, dimension> local{};
+    nodes_at[grid.corner(grid.cell_of(model.beam_nodes.position[i], local))].push_back(i);
+  }
+  for (const std::vector<std::size_t>& nodes : nodes_at) {
+    corner.push_back(static_cast<Index>(count));
+    count += dimension;
+    for (const std::size_t node : nodes) {
+      beam_node[node] = static_cast<Index>(count);
+      count += dimension + 1;
+    }
+  }
+}
+
 CoarseSpace::CoarseSpace(const Model& model, const StiffnessSum& stiffness, double cell_size) {
   const Grid grid(model, cell_size);
-  place_bodies(model, grid);
-  assemble(stiffness, dimension * grid.n_corners());
+  const Numbers numbers(model, grid);
+  place_bodies(model, grid, numbers);
+  assemble(stiffness, numbers.count);
   scratch_.resize(size());
 }
 
-void CoarseSpace::place_bodies(const Model& model, const Grid& grid) {
-  const auto place = [&grid](const Vector& position) {
-    std::array<std::size_t, dimension> number{};
+void CoarseSpace::place_bodies(const Model& model, const Grid& grid, const Numbers& numbers) {
+  const auto place = [&grid, &numbers](const Vector& position) {
     std::array<double, dimension> local{};
-    for (int axis = 0; axis < dimension; ++axis) {
-      local[axis] = local_coordinate(component(position, axis), component(grid.origin, axis),
-                                     component(grid.cell, axis), grid.n_cells[axis], number[axis]);
-    }
+    const auto number = grid.cell_of(position, local);
     CellPlace result{};
     for (std::size_t k = 0; k < 4; ++k) {
       const bool right = (k & 1U) != 0U;
       const bool upper = (k & 2U) != 0U;
       const double x = right ? local[0] : 1.0 - local[0];
       const double y = upper ? local[1] : 1.0 - local[1];
-      result.corners[k] = grid.corner({number[0] + (right ? 1 : 0), number[1] + (upper ? 1 : 0)});
+      result.freedoms[k] = numbers.corner[grid.corner({number[0] + (right ? 1 : 0), number[1] + (upper ? 1 : 0)})];
       result.shape[k] = x * y;
       result.gradient[k] = {(right ? y : -y) / component(grid.cell, 0), (upper ? x : -x) / component(grid.cell, 1)};
     }
@@ -95,7 +124,7 @@ void CoarseSpace::place_bodies(const Model& model, const Grid& grid) {
     for (int axis = 0; axis < dimension; ++axis) {
       std::vector<Share> shares;
       for (std::size_t k = 0; k < 4 && component(free, axis) != 0.0; ++k) {
-        shares.push_back({dimension * cell.corners[k] + axis, cell.shape[k]});
+        shares.push_back({cell.freedoms[k] + axis, cell.shape[k]});
       }
       add_freedom(shares);
     }
@@ -105,7 +134,7 @@ void CoarseSpace::place_bodies(const Model& model, const Grid& grid) {
     for (std::size_t k = 0; k < 4; ++k) {
       const Vector turning = cross(Spin{0.5}, cell.gradient[k]);  // (-½ ∂/∂y, ½ ∂/∂x)
       for (int axis = 0; axis < dimension; ++axis) {
-        shares.push_back({dimension * cell.corners[k] + axis, component(turning, axis)});
+        shares.push_back({cell.freedoms[k] + axis, component(turning, axis)});
       }
     }
     add_freedom(shares);
@@ -121,6 +150,13 @@ void CoarseSpace::place_bodies(const Model& model, const Grid& grid) {
   }
   for (std::size_t i = 0; i < model.nodes.size(); ++i)
     add_translations(place(model.nodes.position[i]), model.nodes.free[i]);
+  for (std::size_t i = 0; i < model.beam_nodes.size(); ++i) {
+    for (int axis = 0; axis <= dimension; ++axis) {
+      const bool is_free = axis == dimension ? model.beam_nodes.rotation_free[i] != 0.0
+                                             : component(model.beam_nodes.free[i], axis) != 0.0;
+      add_freedom(is_free ? std::vector<Share>{{numbers.beam_node[i] + axis, 1.0}} : std::vector<Share>{});
+    }
+  }
 }
 
 void CoarseSpace::add_freedom(const std::vector<Share>& shares) {

@@ -15,6 +15,8 @@ Rectangle extent_of(const Model& model);
 
 /// Motions of the structure as a whole: a grid of large cells over it, with a displacement at every corner, bilinear in
 /// between. Bodies move with the grid, particles turn with it, θ = ½ (∂v/∂x - ∂u/∂y); prescribed freedoms do not move.
+/// Nodes of beams, which are few and lie on the structure rather than in it, have their own freedoms among the coarse
+/// ones.
 class CoarseSpace {
  public:
   /// Cells are squares of about this size (m). `stiffness` is that of all freedoms.
@@ -41,9 +43,22 @@ class CoarseSpace {
     [[nodiscard]] std::size_t n_corners() const;
     /// Corners are numbered along the short axis first, which keeps the band of K_c narrow.
     [[nodiscard]] Index corner(const std::array<std::size_t, dimension>& place) const;
+    /// The cell that a place is in, or nearest to, and where it is in that cell, from 0 to 1 along each axis.
+    [[nodiscard]] std::array<std::size_t, dimension> cell_of(const Vector& position,
+                                                             std::array<double, dimension>& local) const;
   };
 
-  void place_bodies(const Model& model, const Grid& grid);
+  /// Numbers of coarse freedoms: those of a beam node come after the corner that it is near, which keeps the band of
+  /// K_c narrow.
+  struct Numbers {
+    std::vector<Index> corner;     ///< first freedom of every corner
+    std::vector<Index> beam_node;  ///< first freedom of every beam node
+    std::size_t count = 0;
+
+    Numbers(const Model& model, const Grid& grid);
+  };
+
+  void place_bodies(const Model& model, const Grid& grid, const Numbers& numbers);
   void add_freedom(const std::vector<Share>& shares);
   [[nodiscard]] std::span<const Share> shares_of(Index freedom) const {
     return std::span(shares_).subspan(begin_[freedom], begin_[freedom + 1] - begin_[freedom]);

@@ -23,10 +23,8 @@ double largest_resultant(const TranslationState& bodies, const Field<Vector>& fr
   return largest(bodies.force.size(), [&](std::size_t i) { return norm(componentwise(free[i], bodies.force[i])); });
 }
 
-double largest_moment(const Model& model, const RotationState& bodies) {
-  return largest(bodies.moment.size(), [&](std::size_t i) {
-    return std::abs(model.particles.rotation_free[i] * bodies.moment[i]) / model.particles.radius[i];
-  });
+double largest_moment(const RotationState& bodies, const Field<double>& free, const Field<double>& lever) {
+  return largest(bodies.moment.size(), [&](std::size_t i) { return std::abs(free[i] * bodies.moment[i]) / lever[i]; });
 }
 
 }  // namespace
@@ -38,7 +36,9 @@ double Unbalance::ratio() const {
 Unbalance measure_unbalance(const Model& model, const State& state, const ForceMagnitudes& internal_forces) {
   return {std::max({largest_resultant(state.particles.translation, model.particles.free),
                     largest_resultant(state.nodes.translation, model.nodes.free),
-                    largest_moment(model, state.particles.rotation)}),
+                    largest_resultant(state.beam_nodes.translation, model.beam_nodes.free),
+                    largest_moment(state.particles.rotation, model.particles.rotation_free, model.particles.radius),
+                    largest_moment(state.beam_nodes.rotation, model.beam_nodes.rotation_free, model.beam_nodes.lever)}),
           internal_forces.count > 0.0 ? internal_forces.sum / internal_forces.count : 0.0};
 }
 

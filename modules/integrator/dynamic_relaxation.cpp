@@ -43,6 +43,11 @@ Quotient quotient(const Model& model, const State& state) {
   all += block_sum(model.nodes.size(), [&](std::size_t i) {
     return quotient(state.nodes.translation, model.nodes.free[i], before.node_force, i);
   });
+  all += block_sum(model.beam_nodes.size(), [&](std::size_t i) {
+    Quotient sum = quotient(state.beam_nodes.translation, model.beam_nodes.free[i], before.beam_force, i);
+    sum += quotient(state.beam_nodes.rotation, model.beam_nodes.rotation_free[i], before.beam_moment, i);
+    return sum;
+  });
   return all;
 }
 
@@ -67,12 +72,15 @@ void DynamicRelaxation::declare(Parameters& parameters) {
 
 DampingCoefficients DynamicRelaxation::coefficients(const Model& model, State& state) {
   RelaxationState& memory = state.relaxation;
-  const bool is_first =
-      memory.node_force.size() != model.nodes.size() || memory.particle_force.size() != model.particles.size();
+  const bool is_first = memory.node_force.size() != model.nodes.size() ||
+                        memory.particle_force.size() != model.particles.size() ||
+                        memory.beam_force.size() != model.beam_nodes.size();
   const Quotient sum = is_first ? Quotient{} : quotient(model, state);
   remember(state.particles.translation.force, memory.particle_force);
   remember(state.particles.rotation.moment, memory.particle_moment);
   remember(state.nodes.translation.force, memory.node_force);
+  remember(state.beam_nodes.translation.force, memory.beam_force);
+  remember(state.beam_nodes.rotation.moment, memory.beam_moment);
   // Where the stiffness along the motion is negative, as in a snap, damping would only hold it up.
   const double frequency = sum.stiffness > 0.0 && sum.mass > 0.0 ? std::sqrt(sum.stiffness / sum.mass) : 0.0;
   memory.damping = std::min(2.0 * damping_ratio_ * frequency, largest_damping_ / state.clock.acceleration_time());

@@ -1,42 +1,62 @@
 #include "integrator/freedom_columns.hpp"
 
 #include "core/block_sum.hpp"
+#include "core/body_table.hpp"
 #include "core/stiffness_sum.hpp"
 
 namespace ligament {
 namespace {
 
-/// Puts translation(i), rotation(i) of particles and node(i) one after the other.
-template <class Translation, class Rotation, class Node>
-std::vector<double> column_of(const Model& model, Translation&& translation, Rotation&& rotation, Node&& node) {
+/// Calls visit(table) for the tables of bodies in the order of FreedomNumbers.
+template <class Visit>
+void visit_tables(Visit&& visit) {
+  for (const BodyTable table : {BodyTable::particle, BodyTable::node, BodyTable::beam_node}) visit(table);
+}
+
+using TranslationField = Field<Vector> TranslationState::*;
+using RotationField = Field<double> RotationState::*;
+
+/// Puts translation(i), and rotation(i) where there is one, of a table one after the other.
+template <class Translation, class Rotation>
+void append(BodyTable table, std::size_t count, Translation&& translation, Rotation&& rotation,
+            std::vector<double>& column) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector value = translation(i);
+    for (int axis = 0; axis < dimension; ++axis) column.push_back(component(value, axis));
+    if (table != BodyTable::node) column.push_back(rotation(i));
+  }
+}
+
+/// Of a field of all translations and one of all rotations.
+std::vector<double> all_column(const Model& model, const State& state, TranslationField translation,
+                               RotationField rotation) {
   std::vector<double> column;
   column.reserve(FreedomNumbers(model).count());
-  const auto add = [&column](const Vector& value) {
-    for (int axis = 0; axis < dimension; ++axis) column.push_back(component(value, axis));
-  };
-  for (std::size_t i = 0; i < model.particles.size(); ++i) {
-    add(translation(i));
-    column.push_back(rotation(i));
-  }
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) add(node(i));
+  visit_tables([&](BodyTable table) {
+    const Field<Vector>& translations = translation_of(state, table).*translation;
+    const Field<double>& rotations = rotation_of(state, table).*rotation;
+    append(
+        table, translations.size(), [&](std::size_t i) { return translations[i]; },
+        [&](std::size_t i) { return rotations[i]; }, column);
+  });
   return column;
 }
 
 /// The same where they are free.
-template <class Translation, class Rotation, class Node>
-std::vector<double> free_column(const Model& model, Translation&& translation, Rotation&& rotation, Node&& node) {
-  return column_of(
-      model, [&](std::size_t i) { return componentwise(model.particles.free[i], translation(i)); },
-      [&](std::size_t i) { return model.particles.rotation_free[i] * rotation(i); },
-      [&](std::size_t i) { return componentwise(model.nodes.free[i], node(i)); });
-}
-
-/// The same from a field of each table.
-std::vector<double> free_column(const Model& model, const Field<Vector>& translation, const Field<double>& rotation,
-                                const Field<Vector>& node) {
-  return free_column(
-      model, [&](std::size_t i) { return translation[i]; }, [&](std::size_t i) { return rotation[i]; },
-      [&](std::size_t i) { return node[i]; });
+std::vector<double> free_column(const Model& model, const State& state, TranslationField translation,
+                                RotationField rotation) {
+  std::vector<double> column;
+  column.reserve(FreedomNumbers(model).count());
+  visit_tables([&](BodyTable table) {
+    const Field<Vector>& translations = translation_of(state, table).*translation;
+    const Field<double>& rotations = rotation_of(state, table).*rotation;
+    const Field<Vector>& free = free_of(model, table);
+    const Field<double>& rotation_free = rotation_free_of(model, table);
+    append(
+        table, translations.size(), [&](std::size_t i) { return componentwise(free[i], translations[i]); },
+        [&](std::size_t i) { return rotation_free[i] * rotations[i]; }, column);
+  });
+  return column;
 }
 
 /// ½ m v(n-½) v(n+½) along the directions in which a body is held.
@@ -47,6 +67,12 @@ double held_kinetic_energy(const TranslationState& bodies, const Field<Vector>& 
   });
 }
 
+double held_kinetic_energy(const RotationState& bodies, const Field<double>& free) {
+  return block_sum(bodies.spin.size(), [&](std::size_t i) {
+    return 0.5 * (1.0 - free[i]) * bodies.inertia[i] * bodies.spin_before[i] * bodies.spin[i];
+  });
+}
+
 }  // namespace
 
 double product(const std::vector<double>& a, const std::vector<double>& b) {
@@ -54,97 +80,100 @@ double product(const std::vector<double>& a, const std::vector<double>& b) {
 }
 
 std::vector<double> free_mask(const Model& model) {
-  return column_of(
-      model, [&](std::size_t i) { return model.particles.free[i]; },
-      [&](std::size_t i) { return model.particles.rotation_free[i]; },
-      [&](std::size_t i) { return model.nodes.free[i]; });
+  std::vector<double> column;
+  visit_tables([&](BodyTable table) {
+    const Field<Vector>& free = free_of(model, table);
+    const Field<double>& rotation_free = rotation_free_of(model, table);
+    append(
+        table, free.size(), [&](std::size_t i) { return free[i]; }, [&](std::size_t i) { return rotation_free[i]; },
+        column);
+  });
+  return column;
 }
 
 std::vector<double> all_forces(const Model& model, const State& state) {
-  return column_of(
-      model, [&](std::size_t i) { return state.particles.translation.force[i]; },
-      [&](std::size_t i) { return state.particles.rotation.moment[i]; },
-      [&](std::size_t i) { return state.nodes.translation.force[i]; });
+  return all_column(model, state, &TranslationState::force, &RotationState::moment);
 }
 
 std::vector<double> all_increments(const Model& model, const State& state) {
-  return column_of(
-      model, [&](std::size_t i) { return state.particles.translation.increment[i]; },
-      [&](std::size_t i) { return state.particles.rotation.increment[i]; },
-      [&](std::size_t i) { return state.nodes.translation.increment[i]; });
+  return all_column(model, state, &TranslationState::increment, &RotationState::increment);
 }
 
 std::vector<double> free_forces(const Model& model, const State& state) {
-  return free_column(model, state.particles.translation.force, state.particles.rotation.moment,
-                     state.nodes.translation.force);
+  return free_column(model, state, &TranslationState::force, &RotationState::moment);
 }
 
 std::vector<double> free_velocities(const Model& model, const State& state) {
-  return free_column(model, state.particles.translation.velocity, state.particles.rotation.spin,
-                     state.nodes.translation.velocity);
+  return free_column(model, state, &TranslationState::velocity, &RotationState::spin);
 }
 
 std::vector<double> free_velocities_before(const Model& model, const State& state) {
-  return free_column(model, state.particles.translation.velocity_before, state.particles.rotation.spin_before,
-                     state.nodes.translation.velocity_before);
+  return free_column(model, state, &TranslationState::velocity_before, &RotationState::spin_before);
 }
 
 std::vector<double> free_increments(const Model& model, const State& state) {
-  return free_column(model, state.particles.translation.increment, state.particles.rotation.increment,
-                     state.nodes.translation.increment);
+  return free_column(model, state, &TranslationState::increment, &RotationState::increment);
 }
 
 std::vector<double> inverse_masses(const Model& model, const State& state) {
-  const TranslationState& particles = state.particles.translation;
-  return free_column(
-      model, [&](std::size_t i) { return uniform_vector(1.0 / particles.mass[i]); },
-      [&](std::size_t i) { return 1.0 / state.particles.rotation.inertia[i]; },
-      [&](std::size_t i) { return uniform_vector(1.0 / state.nodes.translation.mass[i]); });
+  std::vector<double> column;
+  visit_tables([&](BodyTable table) {
+    const Field<double>& mass = translation_of(state, table).mass;
+    const Field<double>& inertia = rotation_of(state, table).inertia;
+    const Field<Vector>& free = free_of(model, table);
+    const Field<double>& rotation_free = rotation_free_of(model, table);
+    append(
+        table, mass.size(), [&](std::size_t i) { return (1.0 / mass[i]) * free[i]; },
+        [&](std::size_t i) { return rotation_free[i] * (1.0 / inertia[i]); }, column);
+  });
+  return column;
 }
 
 void move_bodies(const std::vector<double>& motion, State& state) {
   std::size_t next = 0;
-  const auto move = [&](TranslationState& bodies, std::size_t i) {
-    Vector part;
-    for (int axis = 0; axis < dimension; ++axis) set_component(part, axis, motion[next++]);
-    bodies.displacement[i] += part;
-    bodies.increment[i] += part;
-  };
-  RotationState& rotation = state.particles.rotation;
-  for (std::size_t i = 0; i < rotation.rotation.size(); ++i) {
-    move(state.particles.translation, i);
-    rotation.rotation[i] += motion[next];
-    rotation.increment[i] += motion[next++];
-  }
-  for (std::size_t i = 0; i < state.nodes.translation.displacement.size(); ++i) move(state.nodes.translation, i);
+  visit_tables([&](BodyTable table) {
+    TranslationState& bodies = translation_of(state, table);
+    RotationState& rotation = rotation_of(state, table);
+    for (std::size_t i = 0; i < bodies.displacement.size(); ++i) {
+      Vector part;
+      for (int axis = 0; axis < dimension; ++axis) set_component(part, axis, motion[next++]);
+      bodies.displacement[i] += part;
+      bodies.increment[i] += part;
+      if (table == BodyTable::node) continue;
+      rotation.rotation[i] += motion[next];
+      rotation.increment[i] += motion[next++];
+    }
+  });
 }
 
 void set_free_velocities(const Model& model, const std::vector<double>& velocities, State& state) {
   std::size_t next = 0;
-  const auto set = [&](TranslationState& bodies, const Field<Vector>& free, std::size_t i) {
-    bodies.velocity_before[i] = bodies.velocity[i];
-    for (int axis = 0; axis < dimension; ++axis, ++next) {
-      if (component(free[i], axis) != 0.0) set_component(bodies.velocity[i], axis, velocities[next]);
+  visit_tables([&](BodyTable table) {
+    TranslationState& bodies = translation_of(state, table);
+    RotationState& rotation = rotation_of(state, table);
+    const Field<Vector>& free = free_of(model, table);
+    const Field<double>& rotation_free = rotation_free_of(model, table);
+    for (std::size_t i = 0; i < bodies.velocity.size(); ++i) {
+      bodies.velocity_before[i] = bodies.velocity[i];
+      for (int axis = 0; axis < dimension; ++axis, ++next) {
+        if (component(free[i], axis) != 0.0) set_component(bodies.velocity[i], axis, velocities[next]);
+      }
+      if (table == BodyTable::node) continue;
+      rotation.spin_before[i] = rotation.spin[i];
+      if (rotation_free[i] != 0.0) rotation.spin[i] = velocities[next];
+      ++next;
     }
-  };
-  RotationState& rotation = state.particles.rotation;
-  for (std::size_t i = 0; i < model.particles.size(); ++i) {
-    set(state.particles.translation, model.particles.free, i);
-    rotation.spin_before[i] = rotation.spin[i];
-    if (model.particles.rotation_free[i] != 0.0) rotation.spin[i] = velocities[next];
-    ++next;
-  }
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) set(state.nodes.translation, model.nodes.free, i);
+  });
 }
 
 double prescribed_kinetic_energy(const Model& model, const State& state) {
-  const RotationState& rotation = state.particles.rotation;
-  return held_kinetic_energy(state.particles.translation, model.particles.free) +
-         held_kinetic_energy(state.nodes.translation, model.nodes.free) +
-         block_sum(rotation.spin.size(), [&](std::size_t i) {
-           const double held = 1.0 - model.particles.rotation_free[i];
-           return 0.5 * held * rotation.inertia[i] * rotation.spin_before[i] * rotation.spin[i];
-         });
+  double energy = 0.0;
+  visit_tables([&](BodyTable table) {
+    energy += held_kinetic_energy(translation_of(state, table), free_of(model, table));
+    if (table == BodyTable::node) return;
+    energy += held_kinetic_energy(rotation_of(state, table), rotation_free_of(model, table));
+  });
+  return energy;
 }
 
 }  // namespace ligament

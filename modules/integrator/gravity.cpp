@@ -22,12 +22,14 @@ double work(const Field<double>& mass, const Vector& acceleration, const Field<V
 void Gravity::add_forces(const Model& model, State& state) {
   add_weight(model.particles.real_mass, acceleration_, state.particles.translation.force);
   add_weight(model.nodes.real_mass, acceleration_, state.nodes.translation.force);
+  add_weight(model.beam_nodes.real_mass, acceleration_, state.beam_nodes.translation.force);
 }
 
 std::vector<EnergyTerm> Gravity::energies(const Model& model, const State& state) const {
   return {{"gravity", EnergyKind::work,
            work(model.particles.real_mass, acceleration_, state.particles.translation.displacement) +
-               work(model.nodes.real_mass, acceleration_, state.nodes.translation.displacement)}};
+               work(model.nodes.real_mass, acceleration_, state.nodes.translation.displacement) +
+               work(model.beam_nodes.real_mass, acceleration_, state.beam_nodes.translation.displacement)}};
 }
 
 }  // namespace ligament

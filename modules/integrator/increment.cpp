@@ -16,9 +16,9 @@ Vector sum_of_free(const TranslationState& bodies, const Field<Vector>& free) {
 }
 
 Index number_of(const FreedomNumbers& numbers, const PrescribedFreedom& freedom) {
-  if (freedom.axis == dimension) return numbers.rotation(freedom.row);
-  return freedom.body == PrescribedFreedom::Body::node ? numbers.node(freedom.row, freedom.axis)
-                                                       : numbers.particle(freedom.row, freedom.axis);
+  if (freedom.body == BodyTable::beam_node) return numbers.beam_node(freedom.row, freedom.axis);
+  if (freedom.body == BodyTable::node) return numbers.node(freedom.row, freedom.axis);
+  return numbers.particle(freedom.row, freedom.axis);
 }
 
 }  // namespace
@@ -53,8 +53,7 @@ Increment::Increment(const Model& model, State& state, const ForceEvaluation& ev
   clear_increments();
   start_.time = state.clock.time;
   start_.contacts.take(state);
-  start_.particles = state.particles;
-  start_.nodes = state.nodes;
+  start_.bodies.take(state);
   start_.forces = all_forces(model, state);
   start_.loads = applied_loads();
 }
@@ -63,6 +62,8 @@ void Increment::clear_increments() {
   state_.particles.translation.increment.assign(model_.particles.size(), Vector{});
   state_.particles.rotation.increment.assign(model_.particles.size(), 0.0);
   state_.nodes.translation.increment.assign(model_.nodes.size(), Vector{});
+  state_.beam_nodes.translation.increment.assign(model_.beam_nodes.size(), Vector{});
+  state_.beam_nodes.rotation.increment.assign(model_.beam_nodes.size(), 0.0);
 }
 
 void Increment::restore() {
@@ -73,8 +74,7 @@ void Increment::restore() {
   }
   state_.clock.time = start_.time;
   start_.contacts.put_back(state_);
-  state_.particles = start_.particles;
-  state_.nodes = start_.nodes;
+  start_.bodies.put_back(state_);
 }
 
 void Increment::begin() {
@@ -120,8 +120,7 @@ void Increment::move_live(const std::vector<double>& motion) {
 std::vector<double> Increment::motion() const { return is_live() ? way_ : all_increments(model_, state_); }
 
 void Increment::go_along(const std::vector<double>& motion, double end_time, double share) {
-  state_.particles = start_.particles;
-  state_.nodes = start_.nodes;
+  start_.bodies.put_back(state_);
   state_.clock.time = start_.time + share * (end_time - start_.time);
   std::vector<double> part(motion);
   for (double& value : part) value *= share;
@@ -146,12 +145,11 @@ bool Increment::is_exhausted() const {
 }
 
 std::vector<double> Increment::applied_loads() {
-  const ParticleState particles = state_.particles;
-  const NodeState nodes = state_.nodes;
+  BodyMemory bodies;
+  bodies.take(state_);
   evaluation_.add_applied_loads();
   std::vector<double> loads = all_forces(model_, state_);
-  state_.particles = particles;
-  state_.nodes = nodes;
+  bodies.put_back(state_);
   return loads;
 }
 
@@ -168,7 +166,8 @@ std::vector<double> Increment::prescribed_motion(double step) const {
 bool Increment::is_in_equilibrium() {
   // Internal forces balance each other, so that what free bodies lack is what external forces lack.
   const Vector lacking = sum_of_free(state_.particles.translation, model_.particles.free) +
-                         sum_of_free(state_.nodes.translation, model_.nodes.free);
+                         sum_of_free(state_.nodes.translation, model_.nodes.free) +
+                         sum_of_free(state_.beam_nodes.translation, model_.beam_nodes.free);
   through_force_ = 0.5 * block_sum(forces_.size(), [&](std::size_t i) {
                      return (1.0 - free_[i]) * std::abs(forces_[i] - loads_[i]) + std::abs(loads_[i]);
                    });

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/body_memory.hpp"
 #include "core/contact_memory.hpp"
 #include "core/force_provider.hpp"
 #include "integrator/force_work.hpp"
@@ -102,8 +103,7 @@ class Increment {
   struct Start {
     double time = 0.0;
     ContactMemory contacts;
-    ParticleState particles;
-    NodeState nodes;
+    BodyMemory bodies;
     std::vector<double> forces;
     std::vector<double> loads;
   };

@@ -15,8 +15,8 @@ ForceWork line_work(Increment& increment, const std::vector<double>& motion, con
                     const ForceWork& end, std::size_t fewest_intervals) {
   State& state = increment.state();
   const double time = state.clock.time;
-  const ParticleState particles = state.particles;
-  const NodeState nodes = state.nodes;
+  BodyMemory bodies;
+  bodies.take(state);
   ContactMemory contacts;
   contacts.take(state);
   const auto rate_at = [&](double share) {
@@ -30,8 +30,7 @@ ForceWork line_work(Increment& increment, const std::vector<double>& motion, con
   const auto internal = [](const ForceWork& value) { return value.of_internal(); };
   const ForceWork work = line_integral(begin, end, rate_at, internal, fewest_intervals, tolerance * scale);
   state.clock.time = time;
-  state.particles = particles;
-  state.nodes = nodes;
+  bodies.put_back(state);
   contacts.put_back(state);
   return work;
 }

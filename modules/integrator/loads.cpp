@@ -25,12 +25,8 @@ double share_at(const PointLoad& load, const State& state) {
 void AppliedLoads::add_forces(const Model& /*model*/, State& state) {
   for (const PointLoad& load : loads_) {
     const double share = share_at(load, state);
-    if (load.body == PointLoad::Body::node) {
-      state.nodes.translation.force[load.row] += share * load.force;
-    } else {
-      state.particles.translation.force[load.row] += share * load.force;
-      state.particles.rotation.moment[load.row] += share * load.moment;
-    }
+    translation_of(state, load.body).force[load.row] += share * load.force;
+    if (load.body != BodyTable::node) rotation_of(state, load.body).moment[load.row] += share * load.moment;
   }
 }
 
@@ -39,15 +35,15 @@ void AppliedLoads::book_work(const Model& /*model*/, State& state) {
   double ahead = 0.0;
   const double time_step = state.clock.time_step;
   for (const PointLoad& load : loads_) {
-    const bool on_node = load.body == PointLoad::Body::node;
-    const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
+    const TranslationState& bodies = translation_of(state, load.body);
     const double share = share_at(load, state);
     const Vector force = share * load.force;
     behind += 0.5 * dot(force, bodies.increment[load.row]);
     ahead += 0.5 * time_step * dot(force, bodies.velocity[load.row]);
-    if (on_node) continue;
-    behind += 0.5 * share * load.moment * state.particles.rotation.increment[load.row];
-    ahead += 0.5 * time_step * share * load.moment * state.particles.rotation.spin[load.row];
+    if (load.body == BodyTable::node) continue;
+    const RotationState& rotation = rotation_of(state, load.body);
+    behind += 0.5 * share * load.moment * rotation.increment[load.row];
+    ahead += 0.5 * time_step * share * load.moment * rotation.spin[load.row];
   }
   state.ledger[state.ledger.open(applied_loads)].book(behind, ahead);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/body_table.hpp"
 #include "core/force_provider.hpp"
 #include "integrator/piecewise_linear.hpp"
 
@@ -8,18 +9,18 @@ namespace ligament {
 /// A force on one body, risen linearly within `rise_time` (s) from the beginning of its stage, at once if that is 0, or
 /// as its schedule says; what it has come to stays on in all later stages.
 struct PointLoad {
-  enum class Body { node, particle };
+  using Body = BodyTable;
   Body body = Body::node;
   Index row = 0;
   Vector force{};          ///< (N)
-  Moment moment = 0.0;     ///< particles only (N m)
+  Moment moment = 0.0;     ///< particles and beam nodes only (N m)
   double rise_time = 0.0;  ///< (s)
   std::int64_t stage = 1;
   /// Shares of the force, in place of the rise where there are any; times count from the beginning of the stage.
   PiecewiseLinear schedule = {};
 };
 
-/// Forces that the case applies to nodes and particles.
+/// Forces that the case applies to nodes, particles and beam nodes.
 class AppliedLoads : public ForceProvider {
  public:
   explicit AppliedLoads(std::vector<PointLoad> loads) : loads_(std::move(loads)) {}

@@ -36,6 +36,9 @@ void move_bodies(State& state) {
   parallel_ranges(state.nodes.translation.displacement.size(), [&](std::size_t begin, std::size_t end) {
     move(state.nodes.translation, time_step, {begin, end});
   });
+  const Rows all_beams{0, state.beam_nodes.rotation.rotation.size()};
+  move(state.beam_nodes.translation, time_step, all_beams);
+  move(state.beam_nodes.rotation, time_step, all_beams);
 }
 
 }  // namespace ligament

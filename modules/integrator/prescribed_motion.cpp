@@ -30,11 +30,10 @@ struct FreedomState {
 FreedomState state_of(const PrescribedFreedom& freedom, const State& state) {
   const Index row = freedom.row;
   if (freedom.axis == dimension) {
-    const RotationState& bodies = state.particles.rotation;
+    const RotationState& bodies = rotation_of(state, freedom.body);
     return {bodies.inertia[row], bodies.spin_before[row], bodies.spin[row], bodies.increment[row], bodies.moment[row]};
   }
-  const bool on_node = freedom.body == PrescribedFreedom::Body::node;
-  const TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
+  const TranslationState& bodies = translation_of(state, freedom.body);
   return {bodies.mass[row], component(bodies.velocity_before[row], freedom.axis),
           component(bodies.velocity[row], freedom.axis), component(bodies.increment[row], freedom.axis),
           component(bodies.force[row], freedom.axis)};
@@ -54,10 +53,9 @@ double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& s
 void PrescribedMotion::fix(Model& model) const {
   for (const PrescribedFreedom& freedom : freedoms_) {
     if (freedom.axis == dimension) {
-      model.particles.rotation_free[freedom.row] = 0.0;
+      rotation_free_of(model, freedom.body)[freedom.row] = 0.0;
     } else {
-      auto& free = freedom.body == PrescribedFreedom::Body::node ? model.nodes.free : model.particles.free;
-      set_component(free[freedom.row], freedom.axis, 0.0);
+      set_component(free_of(model, freedom.body)[freedom.row], freedom.axis, 0.0);
     }
   }
 }
@@ -67,11 +65,9 @@ void PrescribedMotion::apply(const Model& /*model*/, State& state) {
   for (const PrescribedFreedom& freedom : freedoms_) {
     const double velocity = prescribed_velocity(freedom, state.stage, time, time + state.clock.time_step);
     if (freedom.axis == dimension) {
-      state.particles.rotation.spin[freedom.row] = velocity;
+      rotation_of(state, freedom.body).spin[freedom.row] = velocity;
     } else {
-      const bool on_node = freedom.body == PrescribedFreedom::Body::node;
-      TranslationState& bodies = on_node ? state.nodes.translation : state.particles.translation;
-      set_component(bodies.velocity[freedom.row], freedom.axis, velocity);
+      set_component(translation_of(state, freedom.body).velocity[freedom.row], freedom.axis, velocity);
     }
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/body_table.hpp"
 #include "core/integrator.hpp"
 #include "integrator/piecewise_linear.hpp"
 
@@ -18,10 +19,10 @@ struct StageVelocity {
 
 /// One freedom whose velocity is prescribed. It stands still in stages without a velocity: a support has none.
 struct PrescribedFreedom {
-  enum class Body { node, particle };
+  using Body = BodyTable;
   Body body = Body::node;
   Index row = 0;
-  int axis = 0;  ///< component of the translation; `dimension` for the rotation of a particle
+  int axis = 0;  ///< component of the translation; `dimension` for the rotation of a particle or beam node
   std::vector<StageVelocity> motions = {};
 };
 

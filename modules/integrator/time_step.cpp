@@ -23,11 +23,10 @@ Field<double> scaled_masses(const Field<double>& bound, double time_step, double
   return masses;
 }
 
-Field<double> scaled_inertias(const Model& model, const Field<double>& bound, double time_step, double safety) {
+/// The same of rotations that are scaled by a lever each.
+Field<double> scaled_inertias(const Field<double>& lever, const Field<double>& bound, double time_step, double safety) {
   Field<double> inertias = scaled_masses(bound, time_step, safety);
-  for (std::size_t i = 0; i < inertias.size(); ++i) {
-    inertias[i] *= model.particles.radius[i] * model.particles.radius[i];
-  }
+  for (std::size_t i = 0; i < inertias.size(); ++i) inertias[i] *= lever[i] * lever[i];
   return inertias;
 }
 
@@ -52,6 +51,15 @@ CriticalTimeStep critical_time_step(const Model& model, const State& state, cons
     if (model.nodes.free[i] == Vector{}) continue;
     see(bounds.node_translation[i], state.nodes.translation.mass[i], "node", model.nodes.id[i]);
   }
+  const BeamNodeData& beams = model.beam_nodes;
+  for (std::size_t i = 0; i < beams.size(); ++i) {
+    if (beams.free[i] != Vector{}) {
+      see(bounds.beam_translation[i], state.beam_nodes.translation.mass[i], "beam node", beams.id[i]);
+    }
+    if (beams.rotation_free[i] == 0.0) continue;
+    see(bounds.beam_rotation[i] * beams.lever[i] * beams.lever[i], state.beam_nodes.rotation.inertia[i],
+        "rotation of beam node", beams.id[i]);
+  }
   const double time_step = largest > 0.0 ? 2.0 / std::sqrt(largest) : std::numeric_limits<double>::infinity();
   return {time_step, body};
 }
@@ -62,6 +70,9 @@ void use_real_masses(const Model& model, State& state) {
   constexpr double next_to_nothing = 1e-30;
   state.nodes.translation.mass = model.nodes.real_mass;
   for (double& mass : state.nodes.translation.mass) mass = std::max(mass, next_to_nothing);
+  state.beam_nodes.translation.mass = model.beam_nodes.real_mass;
+  for (double& mass : state.beam_nodes.translation.mass) mass = std::max(mass, next_to_nothing);
+  state.beam_nodes.rotation.inertia = model.beam_nodes.real_inertia;
   for (std::size_t i = 0; i < model.particles.size(); ++i) {
     state.particles.rotation.inertia[i] =
         0.5 * model.particles.real_mass[i] * model.particles.radius[i] * model.particles.radius[i];
@@ -71,8 +82,11 @@ void use_real_masses(const Model& model, State& state) {
 void use_scaled_masses(const Model& model, State& state, const StiffnessBounds& bounds, double safety) {
   const double time_step = state.clock.time_step;
   state.particles.translation.mass = scaled_masses(bounds.particle_translation, time_step, safety);
-  state.particles.rotation.inertia = scaled_inertias(model, bounds.particle_rotation, time_step, safety);
+  state.particles.rotation.inertia =
+      scaled_inertias(model.particles.radius, bounds.particle_rotation, time_step, safety);
   state.nodes.translation.mass = scaled_masses(bounds.node_translation, time_step, safety);
+  state.beam_nodes.translation.mass = scaled_masses(bounds.beam_translation, time_step, safety);
+  state.beam_nodes.rotation.inertia = scaled_inertias(model.beam_nodes.lever, bounds.beam_rotation, time_step, safety);
 }
 
 double raise_scaled_masses(const Model& model, State& state, const StiffnessBounds& bounds, double safety) {
@@ -88,12 +102,18 @@ double raise_scaled_masses(const Model& model, State& state, const StiffnessBoun
   TranslationState& particles = state.particles.translation;
   RotationState& rotation = state.particles.rotation;
   TranslationState& nodes = state.nodes.translation;
+  TranslationState& beams = state.beam_nodes.translation;
+  RotationState& beam_rotation = state.beam_nodes.rotation;
   return raise(particles.mass, scaled_masses(bounds.particle_translation, time_step, safety),
                [&](std::size_t i) { return dot(particles.velocity[i], particles.velocity[i]); }) +
-         raise(rotation.inertia, scaled_inertias(model, bounds.particle_rotation, time_step, safety),
+         raise(rotation.inertia, scaled_inertias(model.particles.radius, bounds.particle_rotation, time_step, safety),
                [&](std::size_t i) { return rotation.spin[i] * rotation.spin[i]; }) +
          raise(nodes.mass, scaled_masses(bounds.node_translation, time_step, safety),
-               [&](std::size_t i) { return dot(nodes.velocity[i], nodes.velocity[i]); });
+               [&](std::size_t i) { return dot(nodes.velocity[i], nodes.velocity[i]); }) +
+         raise(beams.mass, scaled_masses(bounds.beam_translation, time_step, safety),
+               [&](std::size_t i) { return dot(beams.velocity[i], beams.velocity[i]); }) +
+         raise(beam_rotation.inertia, scaled_inertias(model.beam_nodes.lever, bounds.beam_rotation, time_step, safety),
+               [&](std::size_t i) { return beam_rotation.spin[i] * beam_rotation.spin[i]; });
 }
 
 }  // namespace ligament

@@ -36,6 +36,7 @@ bool may_be_empty(const std::string& name) { return name.rfind("relaxation.", 0)
 
 std::uint64_t wanted_length(const std::string& name, std::uint64_t built, const Model& model) {
   if (name == "relaxation.node_force") return model.nodes.size();
+  if (name == "relaxation.beam_force" || name == "relaxation.beam_moment") return model.beam_nodes.size();
   if (name == "relaxation.momentum" || name == "relaxation.force" || name == "loading.direction")
     return FreedomNumbers(model).count();
   if (may_be_empty(name)) return model.particles.size();
@@ -104,8 +105,9 @@ bool all_below(const Field<Index>& rows, std::size_t count) {
 }
 
 /// Rows that point outside of the model would be followed blindly by the step.
-void check_contacts(const char* name, const ContactTable& contacts, const Model& model, std::size_t n_second) {
-  bool is_sound = all_below(contacts.law, model.laws.size()) && all_below(contacts.first, model.particles.size()) &&
+void check_contacts(const char* name, const ContactTable& contacts, const Model& model, std::size_t n_first,
+                    std::size_t n_second) {
+  bool is_sound = all_below(contacts.law, model.laws.size()) && all_below(contacts.first, n_first) &&
                   all_below(contacts.second, n_second) && std::is_sorted(contacts.law.begin(), contacts.law.end());
   visit_rows(contacts, [&](const char*, const auto& field, FieldRole) {
     is_sound = is_sound && field.size() == contacts.size();
@@ -156,9 +158,11 @@ void load_state(const std::string& archive, const ArrayLengths& lengths, const M
   check_names(lengths, state);
   check_lengths(lengths, model, state);
   read_archive(archive, lengths, state);
-  check_contacts("contacts of particles", state.particle_contacts, model, model.particles.size());
-  check_contacts("contacts with elements", state.facet_contacts, model, model.facets.size());
-  check_contacts("contacts with nodes", state.corner_contacts, model, model.nodes.size());
+  const std::size_t n_particles = model.particles.size();
+  check_contacts("contacts of particles", state.particle_contacts, model, n_particles, n_particles);
+  check_contacts("contacts with elements", state.facet_contacts, model, n_particles, model.facets.size());
+  check_contacts("contacts with nodes", state.corner_contacts, model, n_particles, model.nodes.size());
+  check_contacts("seats", state.seat_contacts, model, model.nodes.size(), model.facets.size());
 }
 
 State load_unknown_state(const std::string& archive, const ArrayLengths& lengths) {
@@ -166,6 +170,7 @@ State load_unknown_state(const std::string& archive, const ArrayLengths& lengths
   state.particle_contacts.history = columns_of(lengths, "particle_contacts");
   state.facet_contacts.history = columns_of(lengths, "facet_contacts");
   state.corner_contacts.history = columns_of(lengths, "corner_contacts");
+  state.seat_contacts.history = columns_of(lengths, "seat_contacts");
   check_names(lengths, state);
   read_archive(archive, lengths, state);
   return state;

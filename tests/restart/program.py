@@ -15,6 +15,7 @@ CONFIG = ROOT / "config"
 COLUMNS = [CONFIG / f"column_{name}.toml" for name in ("fem", "hexagonal_h1", "hexagonal_h2", "random_r2")]
 TENSION = Path(__file__).resolve().parent / "tension.toml"
 FALLING_BLOCK = Path(__file__).resolve().parent / "falling_block.toml"
+BEAM_ON_PLATENS = Path(__file__).resolve().parent / "beam_on_platens.toml"
 DONE, DIFFERENT, WRONG_INPUT, FILE_ERROR, NOT_CONVERGED, INTERRUPTED, TERMINATED = 0, 1, 2, 5, 6, 130, 143
 
 

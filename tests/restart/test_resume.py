@@ -3,9 +3,9 @@
 
 import unittest
 
-from program import COLUMNS, CONFIG, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, TENSION, WRONG_INPUT, ProgramTest, settings
+from program import BEAM_ON_PLATENS, COLUMNS, CONFIG, DONE, ENDLESS, FALLING_BLOCK, NOT_CONVERGED, TENSION, WRONG_INPUT, ProgramTest, settings
 
-CASES = [*COLUMNS, FALLING_BLOCK]
+CASES = [*COLUMNS, FALLING_BLOCK, BEAM_ON_PLATENS]
 # And keys of the bilinear law that they do not have.
 LAWS_OF_BONDS = (("mohr_coulomb_bilinear", ()), ("mohr_coulomb_exponential", ()),
                  ("mohr_coulomb_brittle", ("fracture_energy",)))

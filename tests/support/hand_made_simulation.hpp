@@ -12,6 +12,7 @@
 #include "integrator/loads.hpp"
 #include "integrator/no_damping.hpp"
 #include "integrator/prescribed_motion.hpp"
+#include "mesh/beam_forces.hpp"
 #include "mesh/element_forces.hpp"
 #include "simulation.hpp"
 
@@ -21,6 +22,7 @@ namespace ligament::support {
 struct SimulationChoice {
   double skin = 1e-3;  ///< (m)
   TimeStepChoice time_step{.masses = Masses::real, .factor = 0.1};
+  std::unique_ptr<Integrator> integrator = {};  ///< in place of central differences
   std::unique_ptr<Damping> damping = std::make_unique<NoDamping>();
   std::vector<PointLoad> loads = {};
   std::vector<PrescribedFreedom> prescribed = {};
@@ -29,12 +31,15 @@ struct SimulationChoice {
 
 inline Simulation make_simulation(Model model, SimulationChoice choice = {}) {
   Modules modules;
-  modules.integrator = std::make_unique<CentralDifference>(std::move(choice.damping));
+  modules.integrator =
+      choice.integrator ? std::move(choice.integrator) : std::make_unique<CentralDifference>(std::move(choice.damping));
   modules.contact_detector = std::make_unique<GridContactDetector>(choice.skin);
   modules.force_providers.push_back(std::make_unique<ContactForces<ParticlePairing>>());
   modules.force_providers.push_back(std::make_unique<ContactForces<FacetPairing>>());
   modules.force_providers.push_back(std::make_unique<ContactForces<CornerPairing>>());
+  modules.force_providers.push_back(std::make_unique<ContactForces<SeatPairing>>());
   if (model.elements.size() > 0) modules.force_providers.push_back(std::make_unique<ElementForces>());
+  if (model.beam_elements.size() > 0) modules.force_providers.push_back(std::make_unique<BeamForces>());
   if (!choice.loads.empty()) {
     modules.force_providers.push_back(std::make_unique<AppliedLoads>(std::move(choice.loads)));
   }

@@ -49,7 +49,8 @@ TEST_CASE("nodes that do not exist, or that a zone has replaced") {
 }
 
 TEST_CASE("tables that select no bodies") {
-  check_edit("nodes = [4, 16]\n", "", "no bodies in [[load]] 'tip': give 'at', 'nodes' or 'particles'", "[[load]]");
+  check_edit("nodes = [4, 16]\n", "", "no bodies in [[load]] 'tip': give 'at', 'nodes', 'particles', 'beam' or 'walls'",
+             "[[load]]");
   check_edit(
       "nodes = [4, 16]", "at = { x = \"0.5 m\" }",
       "there is no node at this place in [[load]] 'tip': nodes are where lines of the mesh cross and no zone has "

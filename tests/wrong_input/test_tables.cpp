@@ -94,8 +94,8 @@ TEST_CASE("names that are empty or no text") {
 TEST_CASE("empty lists") {
   check_edit("x = [\"0 m\", \"1 m\", \"2 m\", \"3 m\"]", "x = []", "'x' has 0 items, but must have at least 2 items",
              "[]");
-  check_edit("nodes = [4, 16]", "nodes = []", "no bodies in [[load]] 'tip': give 'at', 'nodes' or 'particles'",
-             "[[load]]");
+  check_edit("nodes = [4, 16]", "nodes = []",
+             "no bodies in [[load]] 'tip': give 'at', 'nodes', 'particles', 'beam' or 'walls'", "[[load]]");
   check_edit("fix = [\"y\"]", "fix = []", "'fix' has 0 items, but must have at least 1 item", "[]");
   check_edit("force = [\"1 kN\", \"0 N\"]", "force = []", "'force' has 0 items, but must have 2 items", "[]");
   check_rejected("zone = []\nload = []\n[problem]\nthickness = \"1 m\"\n[solver]\nmax_steps = 1\n",

@@ -112,9 +112,13 @@ TEST_CASE("walls that cannot be, or that nothing can touch") {
                   "'friction_coefficient' is -1, but must be at least 0", "-1\n");
   const std::string good = good_case();
   const std::string mesh_alone = good.substr(0, good.find("[[zone]]")) + good.substr(good.find("[[support]]"));
-  const std::string text = edited("[[load]]", wall + "[[load]]", mesh_alone);
-  check_rejected(text, "case.toml:" + place_of("[[wall]]", text) +
-                           ": there are no particles for the wall to touch in [[wall]] 'floor': give a [[zone]]");
+  const std::string text = edited(
+      "[[load]]",
+      edited("\"0 m\"]\nto", "\"-1 m\"]\nto", edited("[\"2 m\", \"0 m\"]", "[\"2 m\", \"-1 m\"]", wall)) + "[[load]]",
+      mesh_alone);
+  check_rejected(
+      text, "case.toml:" + place_of("[[wall]]", text) +
+                ": there are no particles, and no nodes of elements on it, for the wall to touch in [[wall]] 'floor'");
 }
 
 TEST_CASE("walls that are not there") {
@@ -122,7 +126,8 @@ TEST_CASE("walls that are not there") {
              "there is no wall 'floor' in [[gauge]] 'u' (there are: none)", "{ wall");
   check_edit("[[load]]", motion + "[[load]]", "there is no wall 'floor' in [[motion]] 'lift' (there are: none)",
              "[\"floor\"]");
-  check_edit("nodes = [1]", "walls = [\"floor\"]", "unknown key 'walls' in [[support]] 'corner'", "walls");
+  check_edit("nodes = [1]", "walls = [\"floor\"]", "there is no wall 'floor' in [[support]] 'corner' (there are: none)",
+             "[\"floor\"]");
 }
 
 TEST_CASE("regions of gauges") {

@@ -93,8 +93,11 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
   for (;;) {
     if (relax(model, state, evaluation, step)) {
       accept(model, state, evaluation, step);
-      // Beyond a corner everything moves another way.
-      if (segment_at(state).begin != segment.begin) state.loading.direction.clear();
+      // Beyond a corner everything moves another way, and the remainder before it was no cut.
+      if (segment_at(state).begin != segment.begin) {
+        state.loading.direction.clear();
+        state.loading.step = 0.0;
+      }
       return true;
     }
     restore(state);
@@ -174,7 +177,7 @@ double IncrementalLoading::wanted_step(const State& state) const {
     // Velocities are linear between corners.
     for (const double share : {1e-9, 1.0 - 1e-9}) {
       const double time = state.clock.time + share * left;
-      fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, state.stage, time, time)));
+      fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, state.stage, time, 0.0)));
     }
   }
   if (fastest > 0.0) step = increment_ / fastest;
@@ -230,7 +233,7 @@ std::vector<double> IncrementalLoading::prescribed_motion(const Model& model, co
   const FreedomNumbers numbers(model);
   std::vector<double> motion(numbers.count(), 0.0);
   for (const PrescribedFreedom& freedom : freedoms_) {
-    const double velocity = prescribed_velocity(freedom, state.stage, start_.time, start_.time + step);
+    const double velocity = prescribed_velocity(freedom, state.stage, start_.time, step);
     motion[number_of(numbers, freedom)] = step * velocity;
   }
   return motion;

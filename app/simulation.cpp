@@ -131,7 +131,7 @@ void Simulation::finish_stage(const std::vector<double>& readings) {
   stage.begin_step = state_.clock.step;
   // The velocities of the step ahead are those of the stage before; increments have none.
   stage.begin_time = state_.clock.time + (is_quasi_static() ? 0.0 : state_.clock.time_step);
-  if (is_quasi_static()) modules_.loading->begin_segment(state_);
+  if (is_quasi_static()) IncrementalLoading::begin_segment(state_);
 }
 
 double Simulation::audit() {

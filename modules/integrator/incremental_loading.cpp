@@ -122,10 +122,10 @@ bool IncrementalLoading::find(Increment& increment, const IncrementTarget& targe
   return search_->find(increment, {.step = left});
 }
 
-void IncrementalLoading::begin_segment(State& state) const {
+void IncrementalLoading::begin_segment(State& state) {
   state.loading.direction.clear();
-  if (gauge_.empty()) return;
   state.loading.gauge_sign = 0.0;
+  // The remainder before a corner was no cut.
   state.loading.step = 0.0;
 }
 
@@ -142,7 +142,7 @@ IncrementTarget IncrementalLoading::wanted_target(const State& state) const {
     // Velocities are linear between corners.
     for (const double share : {1e-9, 1.0 - 1e-9}) {
       const double time = state.clock.time + share * left;
-      fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, state.stage, time, time)));
+      fastest = std::max(fastest, std::abs(prescribed_velocity(freedom, state.stage, time, 0.0)));
     }
   }
   if (fastest > 0.0) step = increment_ / fastest;

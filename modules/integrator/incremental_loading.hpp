@@ -30,7 +30,7 @@ class IncrementalLoading : public EnergySource {
   static void open_lines(EnergyLedger& ledger);
 
   /// Forgets what belongs to the stage, or the segment of it, before.
-  void begin_segment(State& state) const;
+  static void begin_segment(State& state);
 
   /// Goes to the next state of equilibrium of the present stage: clock, displacements, contacts, ledger. False if there
   /// is none within its limits, or if it is interrupted; the state is then the last equilibrium.

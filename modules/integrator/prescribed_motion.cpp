@@ -41,11 +41,11 @@ FreedomState state_of(const PrescribedFreedom& freedom, const State& state) {
 
 }  // namespace
 
-double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double begin, double end) {
+double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double begin, double duration) {
   for (const StageVelocity& motion : freedom.motions) {
     if (motion.stage != stage.number) continue;
-    if (motion.schedule.empty()) return velocity_at(motion, 0.5 * (begin + end) - stage.begin_time);
-    return motion.schedule.mean_slope(begin - stage.begin_time, end - stage.begin_time);
+    if (motion.schedule.empty()) return velocity_at(motion, begin + 0.5 * duration - stage.begin_time);
+    return motion.schedule.mean_slope(begin - stage.begin_time, begin + duration - stage.begin_time);
   }
   return 0.0;
 }
@@ -63,7 +63,7 @@ void PrescribedMotion::fix(Model& model) const {
 void PrescribedMotion::apply(const Model& /*model*/, State& state) {
   const double time = state.clock.time;
   for (const PrescribedFreedom& freedom : freedoms_) {
-    const double velocity = prescribed_velocity(freedom, state.stage, time, time + state.clock.time_step);
+    const double velocity = prescribed_velocity(freedom, state.stage, time, state.clock.time_step);
     if (freedom.axis == dimension) {
       rotation_of(state, freedom.body).spin[freedom.row] = velocity;
     } else {

@@ -26,9 +26,9 @@ struct PrescribedFreedom {
   std::vector<StageVelocity> motions = {};
 };
 
-/// Its velocity in a step from one time to another (m/s, rad/s): on a schedule the mean, so that every step ends where
-/// the schedule says; else that of the middle.
-double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double begin, double end);
+/// Its velocity in a step that begins at a time and lasts so long (m/s, rad/s): on a schedule the mean, so that every
+/// step ends where the schedule says; else that of the middle.
+double prescribed_velocity(const PrescribedFreedom& freedom, const StageState& stage, double begin, double duration);
 
 /// Supports and prescribed motions.
 class PrescribedMotion : public Constraint {

@@ -56,6 +56,7 @@ stage = {stage}
 BRITTLE = 'law = "mohr_coulomb_brittle"\ntensile_strength = "2 MPa"\ncohesion = "6 MPa"'
 EXPONENTIAL = ('law = "mohr_coulomb_exponential"\ntensile_strength = "2 MPa"\ncohesion = "6 MPa"\n'
                'fracture_energy_tension = "20 N/m"\nfracture_energy_shear = "500 N/m"')
+BILINEAR = EXPONENTIAL.replace("exponential", "bilinear")
 RANDOM = 'generator = "random"\nsmallest_radius = "1.5 mm"\nlargest_radius = "3 mm"\narea_ratio = 1.1'
 GRADED = ('generator = "graded"\nsieves = ["0 mm", "3 mm", "4 mm", "6 mm"]\nmass_shares = [0.3, 0.4, 0.3]\n'
           'threshold_diameter = "3 mm"\naggregate_content = "1879 kg/m3"\ngrain_density = "2650 kg/m3"\n'

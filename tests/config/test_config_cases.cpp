@@ -75,7 +75,8 @@ TEST_CASE("every case is right and takes its first 200 steps with all audits on"
     CHECK(check.code == 0);
     CHECK(contains(check.out, "OK: 0 errors, 0 warnings"));
     const Finished run =
-        call(place, "run", path, {"--output", "run", "--stop-after-steps", std::to_string(n_steps), "--set", "audit.every_step=true"});
+        call(place, "run", path,
+             {"--output", "run", "--stop-after-steps", std::to_string(n_steps), "--set", "audit.every_step=true"});
     CHECK(run.code == 0);
     CHECK(run.err.empty());
     const auto summary = summary_of(place);

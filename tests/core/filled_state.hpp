@@ -7,8 +7,8 @@ namespace ligament {
 /// A state of two particles, three nodes and two contacts of each kind, every number in it different from the others.
 inline State filled_state() {
   State state;
-  for (ContactTable* table : {&state.particle_contacts, &state.facet_contacts, &state.corner_contacts,
-                              &state.seat_contacts}) {
+  for (ContactTable* table :
+       {&state.particle_contacts, &state.facet_contacts, &state.corner_contacts, &state.seat_contacts}) {
     table->history.push_back({"law.damage", 0.0, {}});
     table->history.push_back({"law.work", 0.0, {}});
   }

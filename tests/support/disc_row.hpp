@@ -14,8 +14,8 @@ inline constexpr double fracture_energy = 40.0;
 
 inline std::unique_ptr<IncrementalLoading> make_loading(const std::string& method,
                                                         std::vector<PrescribedFreedom> freedoms,
-                                                        std::vector<std::vector<double>> corners, const std::string& key,
-                                                        const ParameterValue& value) {
+                                                        std::vector<std::vector<double>> corners,
+                                                        const std::string& key, const ParameterValue& value) {
   auto result = loading_methods().create(method);
   Parameters parameters;
   result->declare(parameters);

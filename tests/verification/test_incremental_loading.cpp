@@ -5,6 +5,7 @@
 
 #include "build/build_simulation.hpp"
 #include "build/select_bodies.hpp"
+#include "core/state_hash.hpp"
 #include "reference/direct_solution.hpp"
 #include "support/disc_row.hpp"
 
@@ -119,10 +120,10 @@ TEST_CASE("the way to an equilibrium can be watched, and watching changes nothin
   Row watched(11, 5e-6);
   Row alone(11, 5e-6);
   std::vector<std::int64_t> evaluations;
-  watched.simulation.observe_increments_by(2, [&](std::int64_t evaluation, double kinetic) {
-    evaluations.push_back(evaluation);
-    CHECK(kinetic >= 0.0);
-  });
+  watched.simulation.observe_increments_by({2, [&](std::int64_t evaluation, double kinetic) {
+                                              evaluations.push_back(evaluation);
+                                              CHECK(kinetic >= 0.0);
+                                            }});
   REQUIRE(watched.simulation.advance());
   REQUIRE(alone.simulation.advance());
   CHECK(evaluations.size() == static_cast<std::size_t>(watched.state().loading.n_evaluations / 2));

@@ -32,7 +32,7 @@ std::unique_ptr<IncrementalLoading> loading(std::vector<PrescribedFreedom> freed
       if (parameter.name == name) parameter.assign(value);
     }
   }
-  result->set_loading(std::move(freedoms), {1.0, 1.0}, 1e-6);
+  result->set_loading(std::move(freedoms), {{1.0}, {1.0}}, 1e-6);
   return result;
 }
 

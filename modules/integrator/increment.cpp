@@ -157,7 +157,7 @@ std::vector<double> Increment::prescribed_motion(double step) const {
   const FreedomNumbers numbers(model_);
   std::vector<double> motion(numbers.count(), 0.0);
   for (const PrescribedFreedom& freedom : freedoms_) {
-    const double velocity = prescribed_velocity(freedom, state_.stage, start_.time, start_.time + step);
+    const double velocity = prescribed_velocity(freedom, state_.stage, start_.time, step);
     motion[number_of(numbers, freedom)] = step * velocity;
   }
   return motion;

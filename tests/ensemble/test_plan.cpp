@@ -50,7 +50,7 @@ TEST_CASE("all combinations, seeds changing fastest, in folders of their own") {
         Texts{"output.every=3", "solver.increment=2 um", "solver.max_steps=5", "generation.seed=2"});
 }
 
-TEST_CASE("without sweep the folders are those of the seeds; without seeds every value has one run") {
+TEST_CASE("without sweep the folders are those of the seeds, without seeds every value has one run") {
   EnsembleRequest seeds;
   seeds.seeds = {3};
   CHECK(members_of(seeds).front().run == "seed_3");

@@ -45,7 +45,7 @@ TEST_CASE("nodes of elements stand on a wall, as stiff as particles of what they
   for (const double stiffness : seats.shear_stiffness) CHECK(stiffness == doctest::Approx(like.shear));
 }
 
-TEST_CASE("elements press on a wall and come off it; ties hold them") {
+TEST_CASE("elements press on a wall and come off it, unless ties hold them") {
   for (const bool is_tied : {false, true}) {
     for (const double direction : {-1.0, 1.0}) {
       Simulation simulation = block_on_wall({.is_tied = is_tied}, {0.0, direction * 1e-8});

@@ -30,7 +30,7 @@ TEST_CASE("an ensemble over seeds and values: its runs, tables, mean curves and 
   CAPTURE(first.err);
   REQUIRE(first.code == 0);
   CHECK(contains(first.out, "4 of 4 runs to make, 2 at a time\n"));
-  CHECK(contains(first.out, "solver.increment=2_um/seed_2: converged at step 28, energy audit passed\n"));
+  CHECK(contains(first.out, "solver.increment=2_um/seed_2: converged at step 27, energy audit passed\n"));
   for (const char c : first.out) CHECK((c == '\n' || static_cast<unsigned char>(c) >= ' '));
 
   const ligament::CsvContent table = ligament::read_csv(place / "all/ensemble.csv");
@@ -95,7 +95,7 @@ TEST_CASE("runs that fail are told, and the others go on") {
   const Finished finished = place.run(arguments);
   CHECK(finished.code == 3);
   CHECK(contains(finished.out,
-                 "solver.increment=4_um/audit.tolerance=1e-30/seed_1: converged at step 15, energy audit failed "
+                 "solver.increment=4_um/audit.tolerance=1e-30/seed_1: converged at step 14, energy audit failed "
                  "(exit code 3)\n"));
   CHECK(contains(finished.out,
                  "solver.increment=5_um/audit.tolerance=1/seed_1: converged at step 11, energy audit passed\n"));

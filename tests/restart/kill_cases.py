@@ -97,10 +97,10 @@ READY = {
     "column_relaxed": (CONFIG / "column_hexagonal_h1.toml", [*ENDLESS, *settings(solver__method="dynamic_relaxation")]),
     "falling_block": (FALLING_BLOCK, settings(solver__max_steps=600)),
     "assembly_properties": (CONFIG / "assembly_properties_h2.toml", []),
-    "tension": (TENSION, []),
+    "tension": (TENSION, settings(output__transient_every=10)),
 }
 # Everything at every step, or at steps that differ.
-SCHEDULES = (settings(checkpoint__every=1, output__every=1, output__fields_every=20, output__transient_every=10),
+SCHEDULES = (settings(checkpoint__every=1, output__every=1, output__fields_every=20),
              settings(checkpoint__every=7, output__every=3, output__fields_every=5, checkpoint__keep=2))
 
 

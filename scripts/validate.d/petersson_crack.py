@@ -47,15 +47,35 @@ def face(one, other, radius_of):
     return (x - half * ny, y + half * nx), (x + half * ny, y - half * nx)
 
 
-def crack_section(folder, beam):
-    discs, crack = folder / "discs.dat", folder / "crack.dat"
+def written_assembly(folder, beam):
+    """The files of the discs and of the broken faces of a run."""
+    discs, crack = folder / f"discs_{beam.seed}.dat", folder / f"crack_{beam.seed}.dat"
     radius_of = discs_of(beam.run)
     discs.write_text("".join(f"{x!r} {y!r} {radius!r}\n" for (x, y), radius in radius_of.items()))
     faces = (face(one, other, radius_of) for one, other, _, _ in broken_contacts(beam.run)
              if one in radius_of and other in radius_of)
     crack.write_text("".join(f"{a[0]!r} {a[1]!r}\n{b[0]!r} {b[1]!r}\n\n" for a, b in faces))
+    return discs, crack
+
+
+def panel(folder, beam):
+    discs, crack = written_assembly(folder, beam)
+    return f"""
+set title 'seed {beam.seed}'
+plot '{discs}' using 1:2:3 with circles lc rgb '#e8e4dc' notitle, \\
+     $notch using 1:2 with lines lw 3 lc rgb '#2060a0' title 'notch', \\
+     '{crack}' using 1:2 with lines lw 3 lc rgb '#c0392b' title 'broken bonds'
+"""
+
+
+def crack_section(folder, beams):
     script = f"""
-set terminal pngcairo size 1000,1060 font 'sans,11'
+$notch << end
+1 0
+1 0.1
+end
+set terminal pngcairo size 1400,1480 font 'sans,11'
+set multiplot layout 2,2
 set size ratio -1
 set xrange [{ZONE_X[0]}:{ZONE_X[1]}]
 set yrange [{ZONE_Y[0]}:{ZONE_Y[1]}]
@@ -63,14 +83,10 @@ set xlabel 'x (m)'
 set ylabel 'y (m)'
 set key below
 set style fill solid 1.0 border lc rgb '#a8a8a8'
-plot '{discs}' using 1:2:3 with circles lc rgb '#e8e4dc' notitle, \\
-     '-' with lines lw 3 lc rgb '#2060a0' title 'notch', \\
-     '{crack}' using 1:2 with lines lw 3 lc rgb '#c0392b' title 'broken bonds'
-1 0
-1 0.1
-e
+{"".join(panel(folder, beam) for beam in beams)}
+unset multiplot
 """
     return ["## The crack", "",
-            f"Seed {beam.seed} at the end, places at the start: the faces of the contacts between particles whose bond is "
+            "The four assemblies at the end, places at the start: the faces of the contacts between particles whose bond is "
             "broken. The crack runs from the tip of the notch towards the platen, around large particles.", ""
-            ] + plot(script, "petersson_crack", f"Broken bonds of seed {beam.seed} above the notch")
+            ] + plot(script, "petersson_crack", "Broken bonds above the notch in four assemblies")

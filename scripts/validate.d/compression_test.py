@@ -14,9 +14,9 @@ class CompressionTest:
         self.summary = self.run.summary
         self.rows = self.run.rows("history")
         top = max(self.rows, key=lambda row: row["load_N"])
-        self.strength = top["load_N"] / AREA * MPA
+        self.strength = self.run.results["strength_Pa"] * MPA
         """Peak load over the cross-section (MPa)."""
-        self.shortening_at_peak = -top["elongation_m"]
+        self.shortening_at_peak = top["shortening_m"]
         self.load_after_failure = self.rows[-1]["load_N"] / top["load_N"]
         """Load of the last row, over the peak."""
         ledger = self.run.rows("energy")[-1]

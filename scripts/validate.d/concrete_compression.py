@@ -43,7 +43,7 @@ def curves(folder, number, tests):
     parts = []
     for test, colour in zip(tests, COLOURS):
         path = folder / f"compression_{number}_{test.seed}.dat"
-        path.write_text("".join(f"{-row['elongation_m'] * 1e6!r} {row['load_N'] / AREA * 1e-6!r}\n" for row in test.rows))
+        path.write_text("".join(f"{row['shortening_m'] * 1e6!r} {row['load_N'] / AREA * 1e-6!r}\n" for row in test.rows))
         parts.append(f"'{path}' with linespoints pt 7 ps 0.3 lw 1.6 lc rgb '{colour}' title 'seed {test.seed}'")
     script = f"""
 set key top left

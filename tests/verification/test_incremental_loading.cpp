@@ -32,7 +32,8 @@ TEST_CASE("a bond that is pulled apart in increments follows its curve and spend
   CHECK(row.state().ledger.largest_error < 1e-5);
 }
 
-TEST_CASE("a row that must snap sets the energy free that its bonds store beyond what the break takes") {
+TEST_CASE("a row that must snap sets the energy free that its bonds store beyond what the break takes" *
+          doctest::test_suite("slow")) {
   // At the strength of the weakest bond, so many springs in series store more than its break takes.
   constexpr int n_bonds = 200;
   Row row(n_bonds + 1, 1.2 * n_bonds * 2e-6);

@@ -24,7 +24,7 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
 
 }  // namespace
 
-TEST_CASE("an ensemble over seeds and values: its runs, tables, mean curves and picture" *
+TEST_CASE("an ensemble over seeds and values has its runs and tables and mean curves and picture" *
           doctest::test_suite("slow")) {
   const Workplace place;
   const Finished first = place.run(asked);

@@ -77,7 +77,7 @@ Vector carried(const Simulation& simulation, std::size_t platen) {
 
 }  // namespace
 
-TEST_CASE("the load on a beam goes to its platens by the law of the lever, whatever its stiffness" *
+TEST_CASE("the load on a beam goes to its platens by the law of the lever whatever its stiffness" *
           doctest::test_suite("slow")) {
   for (const double factor : {1.0, 10.0}) {
     BeamOnPlatens beam(factor);

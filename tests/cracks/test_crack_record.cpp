@@ -1,9 +1,9 @@
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <optional>
 #include <utility>
 
+#include "../io/scratch_folder.hpp"
 #include "constitutive/mohr_coulomb_brittle.hpp"
 #include "core/state_hash.hpp"
 #include "io/atomic_file.hpp"
@@ -20,9 +20,7 @@ namespace {
 constexpr double radius = 0.1;
 
 std::filesystem::path table_path(const std::string& name) {
-  const auto folder = std::filesystem::path(LIGAMENT_TEST_SCRATCH) / ("cracks_" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  return folder / (name + ".csv");
+  return test::scratch_folder("cracks_" + name) / "cracks.csv";
 }
 
 /// Four discs in a row along x that just touch, with brittle bonds; the thickness is 0.5 m.

@@ -1,16 +1,36 @@
 #pragma once
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace ligament::test {
 
+/// The folder of this process, gone when it ends: the tests of one program run beside each other.
+class ProcessFolder {
+ public:
+  ProcessFolder() : path_(std::filesystem::path(LIGAMENT_TEST_SCRATCH) / ("process_" + std::to_string(::getpid()))) {}
+  ProcessFolder(const ProcessFolder&) = delete;
+  ProcessFolder& operator=(const ProcessFolder&) = delete;
+  ~ProcessFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
 /// An empty folder of its own for each test.
 inline std::filesystem::path scratch_folder(const std::string& name) {
-  const std::filesystem::path folder = std::filesystem::path(LIGAMENT_TEST_SCRATCH) / "io" / name;
+  static const ProcessFolder process;
+  const std::filesystem::path folder = process.path() / name;
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;

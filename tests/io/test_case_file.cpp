@@ -5,6 +5,7 @@
 
 #include "case_samples.hpp"
 #include "io/case_file.hpp"
+#include "scratch_folder.hpp"
 
 using namespace ligament;
 using samples::error_of;
@@ -42,10 +43,9 @@ fix = ["x"]
 )";
 
 std::filesystem::path scratch(const std::string& name, const std::string& content) {
-  const std::filesystem::path folder = std::filesystem::path(LIGAMENT_TEST_SCRATCH) / "case_file";
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / name, std::ios::binary) << content;
-  return folder / name;
+  const std::filesystem::path path = ligament::test::scratch_folder("case_file") / name;
+  std::ofstream(path, std::ios::binary) << content;
+  return path;
 }
 
 std::string syntax_error(const std::string& text) {
@@ -114,10 +114,9 @@ TEST_CASE("what is no case file is refused with its place") {
 }
 
 TEST_CASE("a path that cannot be read is refused with the reason") {
-  const std::string folder = LIGAMENT_TEST_SCRATCH;
+  const std::string folder = ligament::test::scratch_folder("case_folder");
   CHECK(error_of([&] { (void)CaseFile::load(folder + "/absent.toml"); }) ==
         folder + "/absent.toml: cannot be read: No such file or directory");
-  std::filesystem::create_directories(folder);
   CHECK(error_of([&] { (void)CaseFile::load(folder); }) == folder + ": is a directory, not a case file");
   const auto path = scratch("syntax.toml", "a = [1,\n");
   CHECK(error_of([&] { (void)CaseFile::load(path); }).find(path.string() + ":") == 0);

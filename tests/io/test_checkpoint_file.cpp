@@ -11,20 +11,16 @@
 
 #include "core/error.hpp"
 #include "io/checkpoint_file.hpp"
+#include "scratch_folder.hpp"
 
 namespace fs = std::filesystem;
 using ligament::CheckpointHeader;
+using ligament::test::scratch_folder;
 
 namespace {
 
 constexpr std::size_t version_offset = 20;
 constexpr std::size_t header_length_offset = version_offset + sizeof(std::uint32_t);
-
-fs::path scratch_folder() {
-  const fs::path folder = fs::path(LIGAMENT_TEST_SCRATCH) / "checkpoint_file";
-  fs::create_directories(folder);
-  return folder;
-}
 
 CheckpointHeader example_header() {
   CheckpointHeader header;
@@ -85,7 +81,7 @@ std::string written(const fs::path& path, const CheckpointHeader& header = examp
 }  // namespace
 
 TEST_CASE("a checkpoint comes back as it was written") {
-  const fs::path path = scratch_folder() / "round_trip.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "round_trip.ckpt";
   const CheckpointHeader header = example_header();
   ligament::write_checkpoint(path, header, example_payload());
 
@@ -110,19 +106,19 @@ TEST_CASE("a checkpoint comes back as it was written") {
 }
 
 TEST_CASE("a checkpoint may have an empty payload") {
-  const fs::path path = scratch_folder() / "empty_payload.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "empty_payload.ckpt";
   written(path, example_header(), "");
   CHECK(ligament::read_checkpoint(path).payload.empty());
 }
 
 TEST_CASE("the first bytes of a checkpoint can be read by eye") {
-  const std::string content = written(scratch_folder() / "by_eye.ckpt");
+  const std::string content = written(scratch_folder("checkpoint_file") / "by_eye.ckpt");
   CHECK(content.starts_with("LIGAMENT CHECKPOINT\n"));
   CHECK(contains(content.substr(0, 200), "\"program_version\": \"0.1.0\""));
 }
 
 TEST_CASE("a checkpoint cut short anywhere is called truncated") {
-  const fs::path path = scratch_folder() / "cut.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "cut.ckpt";
   const std::string content = written(path);
   for (std::size_t size = 0; size < content.size(); ++size) {
     const std::string answer = refusal(path, content.substr(0, size));
@@ -134,7 +130,7 @@ TEST_CASE("a checkpoint cut short anywhere is called truncated") {
 }
 
 TEST_CASE("every flipped bit of a checkpoint is found") {
-  const fs::path path = scratch_folder() / "flipped.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "flipped.ckpt";
   const std::string content = written(path);
   REQUIRE(refusal(path, content).empty());
   for (std::size_t bit = 0; bit < 8 * content.size(); ++bit) {
@@ -150,31 +146,31 @@ TEST_CASE("every flipped bit of a checkpoint is found") {
 }
 
 TEST_CASE("bytes after the end of a checkpoint are damage") {
-  const fs::path path = scratch_folder() / "longer.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "longer.ckpt";
   CHECK(contains(refusal(path, written(path) + "x"), "is damaged: 1 bytes follow"));
 }
 
 TEST_CASE("a length beyond any memory is a truncation, not an allocation") {
-  const fs::path path = scratch_folder() / "long_header.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "long_header.ckpt";
   std::string content = written(path);
   std::memset(content.data() + header_length_offset, 0xff, sizeof(std::uint64_t));
   CHECK(contains(refusal(path, content), "within the header"));
 }
 
 TEST_CASE("another file is not taken for a checkpoint") {
-  const fs::path path = scratch_folder() / "other.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "other.ckpt";
   CHECK(contains(refusal(path, "step,time_s\n0,0\n"), "is not a ligament checkpoint"));
 }
 
 TEST_CASE("a checkpoint of another format version is named as such") {
-  const fs::path path = scratch_folder() / "format.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "format.ckpt";
   std::string content = written(path);
   content[version_offset] = 7;
   CHECK(contains(refusal(path, content), "it has version 7, this program reads version 2"));
 }
 
 TEST_CASE("a checkpoint of another word size can be described but not resumed") {
-  const fs::path path = scratch_folder() / "word_size.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "word_size.ckpt";
   CheckpointHeader header = example_header();
   header.word_size = 4;
   CHECK(contains(refusal(path, written(path, header)), "another word size: 4 bytes"));
@@ -182,7 +178,7 @@ TEST_CASE("a checkpoint of another word size can be described but not resumed") 
 }
 
 TEST_CASE("a checkpoint of another Boost version can be described but not resumed") {
-  const fs::path path = scratch_folder() / "boost.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "boost.ckpt";
   CheckpointHeader header = example_header();
   header.boost_version = "1_00";
   CHECK(contains(refusal(path, written(path, header)), "another Boost version: 1_00"));
@@ -190,12 +186,12 @@ TEST_CASE("a checkpoint of another Boost version can be described but not resume
 }
 
 TEST_CASE("a header that lacks a number is refused in words") {
-  const fs::path path = scratch_folder() / "no_time.ckpt";
+  const fs::path path = scratch_folder("checkpoint_file") / "no_time.ckpt";
   CheckpointHeader header = example_header();
   header.time = std::numeric_limits<double>::quiet_NaN();
   CHECK(contains(refusal(path, written(path, header)), "has a header that this program does not understand"));
 }
 
 TEST_CASE("a missing checkpoint is a FileError") {
-  CHECK_THROWS_AS(ligament::read_checkpoint(scratch_folder() / "missing.ckpt"), ligament::FileError);
+  CHECK_THROWS_AS(ligament::read_checkpoint(scratch_folder("checkpoint_file") / "missing.ckpt"), ligament::FileError);
 }

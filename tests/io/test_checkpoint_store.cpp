@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -9,19 +7,15 @@
 
 #include "core/error.hpp"
 #include "io/checkpoint_store.hpp"
+#include "scratch_folder.hpp"
 
 namespace fs = std::filesystem;
 using ligament::CheckpointHeader;
 using ligament::CheckpointStore;
+using ligament::test::FullDisk;
+using ligament::test::scratch_folder;
 
 namespace {
-
-fs::path empty_scratch_folder(const std::string& name) {
-  const fs::path folder = fs::path(LIGAMENT_TEST_SCRATCH) / "checkpoint_store" / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
 
 CheckpointHeader at_step(std::int64_t step) {
   CheckpointHeader header;
@@ -62,31 +56,10 @@ Found newest_good(const CheckpointStore& store) {
   return found;
 }
 
-/// Files of this process can't grow beyond `bytes` while this lives: a full disk, as far as a writer can tell.
-class FileSizeLimit {
- public:
-  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-    getrlimit(RLIMIT_FSIZE, &before_);
-    rlimit limited = before_;
-    limited.rlim_cur = bytes;
-    setrlimit(RLIMIT_FSIZE, &limited);
-  }
-  ~FileSizeLimit() {
-    setrlimit(RLIMIT_FSIZE, &before_);
-    std::signal(SIGXFSZ, handler_);
-  }
-  FileSizeLimit(const FileSizeLimit&) = delete;
-  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
- private:
-  rlimit before_{};
-  void (*handler_)(int);
-};
-
 }  // namespace
 
 TEST_CASE("a store keeps the newest checkpoints of its run") {
-  const fs::path folder = empty_scratch_folder("keep");
+  const fs::path folder = scratch_folder("keep");
   CheckpointStore store(folder, "run_a", 2);
   CHECK(write(store, 0) == folder / "step_000000000000.ckpt");
   write(store, 1000);
@@ -98,12 +71,12 @@ TEST_CASE("a store keeps the newest checkpoints of its run") {
 }
 
 TEST_CASE("a checkpoint carries the id of its store's run") {
-  CheckpointStore store(empty_scratch_folder("run_id"), "run_a", 1);
+  CheckpointStore store(scratch_folder("run_id"), "run_a", 1);
   CHECK(ligament::read_checkpoint_header(write(store, 5)).run_id == "run_a");
 }
 
 TEST_CASE("a store makes its folder, and is empty before") {
-  const fs::path folder = empty_scratch_folder("made") / "deep" / "folder";
+  const fs::path folder = scratch_folder("made") / "deep" / "folder";
   CheckpointStore store(folder, "run_a", 1);
   CHECK(store.list().empty());
   CHECK(newest_good(store).payload.empty());
@@ -116,7 +89,7 @@ TEST_CASE("a store refuses to keep nothing") {
 }
 
 TEST_CASE("a damaged checkpoint is passed over with its reason") {
-  CheckpointStore store(empty_scratch_folder("damaged"), "run_a", 3);
+  CheckpointStore store(scratch_folder("damaged"), "run_a", 3);
   write(store, 1);
   const fs::path newest = write(store, 2);
   damage(newest);
@@ -128,7 +101,7 @@ TEST_CASE("a damaged checkpoint is passed over with its reason") {
 }
 
 TEST_CASE("a damaged checkpoint does not count among those kept") {
-  CheckpointStore store(empty_scratch_folder("damaged_kept"), "run_a", 2);
+  CheckpointStore store(scratch_folder("damaged_kept"), "run_a", 2);
   write(store, 1);
   damage(write(store, 2));
   write(store, 3);
@@ -138,7 +111,7 @@ TEST_CASE("a damaged checkpoint does not count among those kept") {
 }
 
 TEST_CASE("checkpoints of another run are neither taken nor removed") {
-  const fs::path folder = empty_scratch_folder("other_run");
+  const fs::path folder = scratch_folder("other_run");
   CheckpointStore other(folder, "run_b", 1);
   write(other, 9);
   CheckpointStore store(folder, "run_a", 1);
@@ -154,14 +127,14 @@ TEST_CASE("checkpoints of another run are neither taken nor removed") {
 }
 
 TEST_CASE("a checkpoint ahead of the one just written stays") {
-  CheckpointStore store(empty_scratch_folder("ahead"), "run_a", 1);
+  CheckpointStore store(scratch_folder("ahead"), "run_a", 1);
   write(store, 20);
   write(store, 10);
   CHECK(names(store) == std::vector<std::string>{"step_000000000020.ckpt", "step_000000000010.ckpt"});
 }
 
 TEST_CASE("interrupted writes are never listed and removed by the next write") {
-  const fs::path folder = empty_scratch_folder("part");
+  const fs::path folder = scratch_folder("part");
   CheckpointStore store(folder, "run_a", 2);
   put(folder / "step_000000000007.ckpt.part", "half of it");
   put(folder / "notes.txt", "mine");
@@ -173,7 +146,7 @@ TEST_CASE("interrupted writes are never listed and removed by the next write") {
 }
 
 TEST_CASE("only names of checkpoints are listed") {
-  const fs::path folder = empty_scratch_folder("names");
+  const fs::path folder = scratch_folder("names");
   for (const char* name :
        {"step_1.ckpt", "step_000000000001.txt", "step_00000000001x.ckpt", "step_.ckpt", "s", "old"}) {
     put(folder / name, "");
@@ -182,14 +155,14 @@ TEST_CASE("only names of checkpoints are listed") {
 }
 
 TEST_CASE("a folder that can't be made is a FileError") {
-  const fs::path file = empty_scratch_folder("no_folder") / "file";
+  const fs::path file = scratch_folder("no_folder") / "file";
   put(file, "");
   CheckpointStore store(file / "checkpoints", "run_a", 1);
   CHECK_THROWS_AS(write(store, 1), ligament::FileError);
 }
 
 TEST_CASE("a file that can't be opened for writing leaves the old checkpoints") {
-  const fs::path folder = empty_scratch_folder("not_opened");
+  const fs::path folder = scratch_folder("not_opened");
   CheckpointStore store(folder, "run_a", 1);
   write(store, 1);
   // A folder in the way stops every user, root too, which permissions do not.
@@ -200,10 +173,10 @@ TEST_CASE("a file that can't be opened for writing leaves the old checkpoints") 
 }
 
 TEST_CASE("a disk that fills up leaves the old checkpoints") {
-  CheckpointStore store(empty_scratch_folder("disk_full"), "run_a", 1);
+  CheckpointStore store(scratch_folder("disk_full"), "run_a", 1);
   write(store, 1);
   {
-    const FileSizeLimit limit(4096);
+    const FullDisk limit(4096);
     CHECK_THROWS_AS(store.write(at_step(2), std::string(65536, 'x')), ligament::FileError);
     CHECK_THROWS_AS(store.write(at_step(1), std::string(65536, 'x')), ligament::FileError);
   }

@@ -197,6 +197,12 @@ void GaugePair::declare(Parameters& parameters) {
   parameters.point("from", from, "m", "place of the first body: the nearest one at set-up counts").required();
   parameters.point("to", to, "m", "place of the second body, likewise").required();
   parameters.text("direction", direction, "axis").required().one_of({"x", "y"});
+  parameters
+      .quantity(
+          "foot", foot, "m",
+          "each end moves with the particles nearer to it than to the other whose centres are in a circle of this "
+          "diameter about it, as with one rigid body; 0: with the nearest body")
+      .at_least(0.0);
 }
 
 void GaugeRegion::declare(Parameters& parameters) {

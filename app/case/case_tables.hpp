@@ -201,6 +201,7 @@ struct GaugePair {
   std::array<double, 2> from{};
   std::array<double, 2> to{};
   std::string direction;
+  double foot = 0.0;  ///< diameter (m)
 
   void declare(Parameters& parameters);
 };

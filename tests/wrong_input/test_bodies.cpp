@@ -82,4 +82,8 @@ TEST_CASE("gauges") {
       "displacement = { node = 4, direction = \"x\" }\n", "",
       "a gauge measures one thing: give 'displacement', 'reaction', 'opening', 'stress' or 'strain' in [[gauge]] 'u'",
       "[[gauge]]");
+  const std::string far =
+      "opening = { from = [\"9 m\", \"0 m\"], to = [\"1.5 m\", \"1 m\"], direction = \"x\", foot = \"1 m\" }";
+  check_edit("displacement = { node = 4, direction = \"x\" }", far,
+             "no particle has its centre within 0.5 m of (9 m, 0 m), under the 'foot' in [[gauge]] 'u'", "{ from");
 }

@@ -1,7 +1,7 @@
 """Uniaxial compression with the micro-parameters of Tables 4 and 5."""
 from compression_test import AREA, CompressionTest
 from concrete_targets import COMPRESSION, LEDGER_TOLERANCE, PEAK_CHANGE_TOLERANCE, SEEDS
-from petersson_crack import broken_contacts, discs_of, face
+from beam_crack import broken_contacts, discs_of, face
 from validation import mean, plot, table
 
 COLOURS = ("#c0392b", "#2060a0", "#27864f")

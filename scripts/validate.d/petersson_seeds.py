@@ -1,37 +1,23 @@
 """The beam with four assemblies: every number beside its target."""
-from petersson_crack import n_broken_by_motion
+from beam_crack import n_broken_by_motion
 from petersson_targets import (BALANCE_TOLERANCE, CONTACTS_PER_PARTICLE_TOLERANCE, EDGE_CONTACT_TOLERANCE, GOAL_OF_TIME,
                                HIGHEST_PEAK, LEDGER_TOLERANCE, LONGEST_TIME, LOWEST_PEAK, N_CONTACTS, N_EDGE_CONTACTS,
                                N_PARTICLES, PARTICLE_TOLERANCE, STIFFNESS, STIFFNESS_TOLERANCE)
+from seed_rows import row_below, row_of_all, row_within
 from validation import mean, table
 
-
-def row_of_all(label, values, form, target, met):
-    return [label, *(form.format(value) for value in values), form.format(mean(values)), target, met]
-
-
-def row_within(label, values, paper, tolerance, verdicts):
-    """Counts that each assembly must have; the paper's is rounded as it stands there."""
-    passed = all(abs(value / paper - 1.0) <= tolerance for value in values)
-    form = "{:.0f}" if paper > 10 else "{:.3f}"
-    return row_of_all(label, values, form, f"{form.format(paper)} ± {tolerance:.1%}, each",
-                      verdicts.of(passed, f"Petersson: {label}"))
-
-
-def row_below(label, values, limit, form, verdicts):
-    return row_of_all(label, values, form, f"≤ {form.format(limit)}, each",
-                      verdicts.of(max(values) <= limit, f"Petersson: {label} (largest {form.format(max(values))})"))
+BEAM = "Petersson"
 
 
 def count_rows(beams, verdicts):
     particles = [beam.summary["n_particles"] for beam in beams]
     contacts = [beam.summary["n_contacts"] for beam in beams]
     edges = [beam.summary["n_edge_contacts"] for beam in beams]
-    yield row_within("particles", particles, N_PARTICLES, PARTICLE_TOLERANCE, verdicts)
+    yield row_within(BEAM, "particles", particles, N_PARTICLES, PARTICLE_TOLERANCE, verdicts)
     yield row_of_all("contacts without those cut by the notch", contacts, "{:.0f}", f"paper {N_CONTACTS}", "")
-    yield row_within("contacts a particle", [c / p for c, p in zip(contacts, particles)], N_CONTACTS / N_PARTICLES,
+    yield row_within(BEAM, "contacts a particle", [c / p for c, p in zip(contacts, particles)], N_CONTACTS / N_PARTICLES,
                      CONTACTS_PER_PARTICLE_TOLERANCE, verdicts)
-    yield row_within("contacts with elements", edges, N_EDGE_CONTACTS, EDGE_CONTACT_TOLERANCE, verdicts)
+    yield row_within(BEAM, "contacts with elements", edges, N_EDGE_CONTACTS, EDGE_CONTACT_TOLERANCE, verdicts)
 
 
 def strength_rows(beams, verdicts):
@@ -61,14 +47,14 @@ def fracture_rows(beams):
 
 
 def run_rows(beams, verdicts):
-    yield row_below("ledger error", [beam.summary["energy_error"] for beam in beams], LEDGER_TOLERANCE, "{:.1e}", verdicts)
-    yield row_below("platen less supports, over the peak so far", [beam.imbalance for beam in beams], BALANCE_TOLERANCE,
+    yield row_below(BEAM, "ledger error", [beam.summary["energy_error"] for beam in beams], LEDGER_TOLERANCE, "{:.1e}", verdicts)
+    yield row_below(BEAM, "platen less supports, over the peak so far", [beam.imbalance for beam in beams], BALANCE_TOLERANCE,
                     "{:.2%}", verdicts)
     yield row_of_all("increments", [beam.summary["steps"] for beam in beams], "{:.0f}", "", "")
     yield row_of_all("evaluations of the forces", [beam.summary["n_evaluations"] for beam in beams], "{:.0f}", "", "")
     yield row_of_all("seconds on the processor", [beam.run.processor for beam in beams], "{:.1f}", "", "")
     times = [beam.run.wall for beam in beams]
-    row = row_below("seconds, packing included", times, LONGEST_TIME, "{:.1f}", verdicts)
+    row = row_below(BEAM, "seconds, packing included", times, LONGEST_TIME, "{:.1f}", verdicts)
     row[-1] += f"; goal {GOAL_OF_TIME:.0f} s: " + ("met" if max(times) <= GOAL_OF_TIME else "not met")
     yield row
 

@@ -1,9 +1,17 @@
+# Headers that nearly every source includes, read once for each target. They spare the compiler a third of its time; a
+# source still includes what it uses: the preset `tidy` compiles without them.
+function(ligament_precompile_headers target)
+  target_precompile_headers(${target} PRIVATE
+    <algorithm> <array> <cmath> <filesystem> <functional> <memory> <optional> <string> <utility> <vector> ${ARGN})
+endfunction()
+
 # A module is one folder and one static library. It sees core and what is named here, never another module.
 function(ligament_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   add_library(ligament_${name} STATIC ${sources})
   target_include_directories(ligament_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(ligament_${name} PUBLIC ligament_options ${ARGN})
+  ligament_precompile_headers(ligament_${name})
 endfunction()
 
 # A test program: the doctest cases of one folder, each registered with ctest. The doctest suite of a case becomes its
@@ -14,6 +22,7 @@ function(ligament_test folder)
   add_executable(test_${name} ${sources})
   target_include_directories(test_${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(test_${name} PRIVATE ligament_doctest_main Eigen3::Eigen ${ARGN})
+  ligament_precompile_headers(test_${name} <doctest/doctest.h>)
   target_compile_definitions(test_${name} PRIVATE
     LIGAMENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIGAMENT_TEST_SCRATCH="${CMAKE_BINARY_DIR}/scratch")
   # Compiling tests takes longer than running them.

@@ -37,7 +37,7 @@ class KillTrials(ProgramTest):
         return self.start("run", *options, "--output", "run", **disk)
 
     def is_torn(self):
-        tables = [self.folder / "run" / f"{name}.csv" for name in ("history", "energy", "cracks")]
+        tables = [self.folder / "run" / f"{name}.csv" for name in ("history", "transient", "energy", "cracks")]
         torn_rows = [table for table in tables if table.exists() and not table.read_bytes().endswith(b"\n")]
         return bool(self.unfinished() or torn_rows)
 

@@ -50,6 +50,9 @@ ExitCode with_log(Console& console, const RunDirectory& directory, const Action&
         fmt::format("{}\nwhen that is mended, 'ligament resume {}' goes on", error.what(), directory.path().string());
     console.log(text);
     throw FileError(text);
+  } catch (const std::bad_alloc&) {
+    throw Error(ExitCode::wrong_input,
+                fmt::format("out of memory\nwith more of it, 'ligament resume {}' goes on", directory.path().string()));
   } catch (const Error& error) {
     console.log(error.what());
     throw;

@@ -1,6 +1,8 @@
 """Small cases that together have every law, method, generator and kind of output, for runs that are killed."""
 
-from program import BEAM_ON_PLATENS, CONFIG, DONE, FALLING_BLOCK, NOT_CONVERGED, TENSION, settings
+import subprocess
+
+from program import BEAM_ON_PLATENS, CONFIG, DONE, FALLING_BLOCK, NOT_CONVERGED, PROGRAM, TENSION, settings
 
 SPECIMEN = """\
 title = "A small specimen is pulled and let go, again and again"
@@ -139,6 +141,9 @@ def write_case(folder, name):
     """The file of a case, made in the folder if it is none of those that are there; and its settings."""
     if name in READY:
         return READY[name]
+    if name == "from_a_file":
+        source, _ = write_case(folder, "brittle_local_damping")
+        subprocess.run([PROGRAM, "generate", source, "--output", folder / "discs.csv"], check=True, capture_output=True)
     path = folder / f"{name}.toml"
     path.write_text(SPECIMEN.format(**SPECIMENS[name]))
     return path, []

@@ -177,8 +177,8 @@ class LittleMemory(ProgramTest):
                     self.assertEqual(self.final_hash("run"), self.final_hash("whole"))
                     self.assert_same_results("run", "whole")
                     shutil.rmtree(self.folder / "run")
-            megabytes += 8
-        self.assertGreater(n_refused, 3)
+            megabytes += 16
+        self.assertGreater(n_refused, 2)
 
 
 if __name__ == "__main__":

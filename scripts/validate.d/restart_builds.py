@@ -13,7 +13,7 @@ FULL = kill_cases.SCHEDULES[0]
 # More contacts than one thread takes for itself, and so few steps that this does not take long.
 FINE = {
     "column_random_r2": settings(zone__middle__smallest_radius='"4 mm"', zone__middle__largest_radius='"8 mm"',
-                                 solver__max_steps=100),
+                                 zone__middle__count=2700, solver__max_steps=100),
     "falling_block": settings(zone__held__radius='"0.004 m"', zone__falling__radius='"0.004 m"', solver__max_steps=200),
     "brittle_local_damping": settings(zone__specimen__smallest_radius='"0.3 mm"',
                                       zone__specimen__largest_radius='"0.6 mm"', solver__max_steps=400),

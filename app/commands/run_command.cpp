@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "commands/commands.hpp"
@@ -51,8 +52,10 @@ ExitCode with_log(Console& console, const RunDirectory& directory, const Action&
     console.log(text);
     throw FileError(text);
   } catch (const std::bad_alloc&) {
-    throw Error(ExitCode::wrong_input,
-                fmt::format("out of memory\nwith more of it, 'ligament resume {}' goes on", directory.path().string()));
+    const std::string text =
+        fmt::format("out of memory\nwith more of it, 'ligament resume {}' goes on", directory.path().string());
+    console.log(text);
+    throw Error(ExitCode::wrong_input, text);
   } catch (const Error& error) {
     console.log(error.what());
     throw;

@@ -1,8 +1,7 @@
 """Section of docs/validation/restart.md: operations of the disk that fail."""
-import os
 import shutil
 import subprocess
-from pathlib import Path
+import tempfile
 
 from program import DONE, FILE_ERROR, PROGRAM, TENSION, ProgramTest, faulty_disk, settings
 from validation import table
@@ -13,6 +12,21 @@ FOR_EVER = 10**9
 DISK_SIZES = (20, 60, 100, 400, 800, 1200, 1600, 2000, 2400, 2800, 3200, 3600)
 KINDS = {"one operation": lambda number: number, "20 in a row": lambda number: number + 19,
          "all from there on": lambda number: FOR_EVER}
+
+
+def mount(folder, kilobytes):
+    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", folder], check=True, capture_output=True)
+
+
+def can_mount():
+    """It takes root, and a system that lets it."""
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            mount(folder, 100)
+        except (subprocess.CalledProcessError, FileNotFoundError):
+            return False
+        subprocess.run(["umount", folder], check=True)
+    return True
 
 
 class Faults(ProgramTest):
@@ -41,7 +55,7 @@ class Faults(ProgramTest):
         """The same on a real disk of this size, which grows before the run is resumed."""
         disk = self.folder / "disk"
         disk.mkdir(exist_ok=True)
-        subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", disk], check=True)
+        mount(disk, kilobytes)
         try:
             process = subprocess.run([PROGRAM, "run", *map(str, CASE), "--output", "run"], cwd=disk, capture_output=True,
                                      text=True, check=False)
@@ -58,8 +72,8 @@ class Faults(ProgramTest):
 
 
 def full_disk_lines(faults, verdicts):
-    if os.geteuid() != 0 or not Path("/proc/mounts").read_text().count("tmpfs"):
-        return ["A real disk that is full was not tried: mounting one needs root.", ""]
+    if not can_mount():
+        return ["Real disks that are full were not tried: they could not be mounted.", ""]
     counts = {DONE: 0, FILE_ERROR: 0, "refused": 0}
     failures = []
     for kilobytes in DISK_SIZES:

@@ -141,7 +141,7 @@ def write_case(folder, name):
     """The file of a case, made in the folder if it is none of those that are there; and its settings."""
     if name in READY:
         return READY[name]
-    if name == "from_a_file":
+    if name == "from_a_file" and not (folder / "discs.csv").exists():
         source, _ = write_case(folder, "brittle_local_damping")
         subprocess.run([PROGRAM, "generate", source, "--output", folder / "discs.csv"], check=True, capture_output=True)
     path = folder / f"{name}.toml"

@@ -6,6 +6,7 @@ endif()
 
 option(LIGAMENT_AUDIT "Check every step: finite values, motion and transfer audits" OFF)
 option(LIGAMENT_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(LIGAMENT_SANITIZE_THREADS "Thread sanitizer, for clang" OFF)
 option(LIGAMENT_FUZZ "Harnesses of libFuzzer, for clang" OFF)
 
 add_library(ligament_options INTERFACE)
@@ -32,6 +33,10 @@ if(LIGAMENT_SANITIZE)
     -fsanitize=address,undefined -fno-sanitize=null,alignment,object-size,vptr
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(ligament_options INTERFACE -fsanitize=address,undefined)
+endif()
+if(LIGAMENT_SANITIZE_THREADS)
+  target_compile_options(ligament_options INTERFACE -fsanitize=thread)
+  target_link_options(ligament_options INTERFACE -fsanitize=thread)
 endif()
 if(LIGAMENT_FUZZ)
   # What is covered steers the fuzzer; only its harnesses have its main function.

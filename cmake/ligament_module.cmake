@@ -26,7 +26,7 @@ function(ligament_test folder)
   target_compile_definitions(test_${name} PRIVATE
     LIGAMENT_SOURCE_DIR="${PROJECT_SOURCE_DIR}" LIGAMENT_TEST_SCRATCH="${CMAKE_BINARY_DIR}/scratch")
   # Compiling tests takes longer than running them.
-  if(LIGAMENT_SANITIZE)
+  if(LIGAMENT_SANITIZE OR LIGAMENT_SANITIZE_THREADS)
     target_compile_options(test_${name} PRIVATE -O0)
   elseif(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     target_compile_options(test_${name} PRIVATE -O1)

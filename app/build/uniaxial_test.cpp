@@ -43,7 +43,7 @@ std::optional<UniaxialTest> build_uniaxial_test(Case& input, const std::vector<G
   const Gauge* elongation = find_gauge(input, gauges, table.elongation, view, "elongation");
   if (load == nullptr || elongation == nullptr) return std::nullopt;
   const auto of_load = std::find_if(input.gauges.begin(), input.gauges.end(),
-                                    [&](const auto& gauge) { return gauge.table.name == table.load; });
+                                    [&name = table.load](const auto& gauge) { return gauge.table.name == name; });
   if (!of_load->table.reaction.is_given) {
     input.file.add_error(input.file.position(view, "load"),
                          fmt::format("gauge '{}' is no 'reaction' {}: it tells of no load", table.load, view.where()));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <new>
 #include <optional>
 
 #include "commands/commands.hpp"
@@ -50,6 +51,11 @@ ExitCode with_log(Console& console, const RunDirectory& directory, const Action&
         fmt::format("{}\nwhen that is mended, 'ligament resume {}' goes on", error.what(), directory.path().string());
     console.log(text);
     throw FileError(text);
+  } catch (const std::bad_alloc&) {
+    const std::string text =
+        fmt::format("out of memory\nwith more of it, 'ligament resume {}' goes on", directory.path().string());
+    console.log(text);
+    throw Error(ExitCode::wrong_input, text);
   } catch (const Error& error) {
     console.log(error.what());
     throw;

@@ -30,7 +30,8 @@ std::filesystem::path Checkpoints::save(const State& state) {
   header.step = state.clock.step;
   header.time = state.clock.time;
   header.array_lengths = array_lengths(state);
-  return store_.write(std::move(header), save_state(state));
+  archive_ = save_state(state, std::move(archive_));
+  return store_.write(std::move(header), archive_);
 }
 
 std::optional<std::int64_t> Checkpoints::restore(Simulation& simulation, const CheckpointStore::OnBad& on_bad) const {

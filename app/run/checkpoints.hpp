@@ -24,6 +24,7 @@ class Checkpoints {
  private:
   CheckpointStore store_;
   CheckpointHeader provenance_;  ///< what all headers of this run have in common
+  std::string archive_;          ///< the last one, for its memory
 };
 
 }  // namespace ligament

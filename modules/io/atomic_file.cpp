@@ -46,10 +46,14 @@ std::filesystem::path part_path(const std::filesystem::path& final_path) {
 }
 
 void write_atomically(const std::filesystem::path& final_path, std::string_view content) {
+  write_atomically(final_path, {content});
+}
+
+void write_atomically(const std::filesystem::path& final_path, std::initializer_list<std::string_view> pieces) {
   const std::filesystem::path part = part_path(final_path);
   FileDescriptor file(part, O_WRONLY | O_CREAT | O_TRUNC);
   PartGuard guard(part);
-  file.write_all(content);
+  for (const std::string_view piece : pieces) file.write_all(piece);
   file.flush_to_disk();
   file.close();
   rename_into_place(part, final_path);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,8 @@ namespace ligament {
 /// old file or the whole new one. FileError names the path and the reason; the old file is then untouched and no
 /// `.part` stays behind.
 void write_atomically(const std::filesystem::path& final_path, std::string_view content);
+/// The same for content that lies in several places.
+void write_atomically(const std::filesystem::path& final_path, std::initializer_list<std::string_view> pieces);
 
 /// Second half of write_atomically for a `part` written by someone else: flushes it, renames it, flushes the folder.
 /// On failure the part is removed.

@@ -6,6 +6,8 @@
 #include <bit>
 #include <boost/version.hpp>
 #include <cstring>
+#include <initializer_list>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -74,9 +76,13 @@ void append_number(std::string& content, Number number) {
   content.append(bytes.data(), bytes.size());
 }
 
-std::string checksum(std::string_view content) {
+/// Of these pieces as one.
+std::string checksum(std::initializer_list<std::string_view> pieces) {
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
+  XXH3_128bits_reset(state.get());
+  for (const std::string_view piece : pieces) XXH3_128bits_update(state.get(), piece.data(), piece.size());
   XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, XXH3_128bits(content.data(), content.size()));
+  XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state.get()));
   return std::string(reinterpret_cast<const char*>(canonical.digest), checksum_size);
 }
 
@@ -142,7 +148,7 @@ Layout verified_layout(const std::filesystem::path& path, std::string_view conte
   if (reader.remaining() != 0) {
     fail(path, fmt::format("is damaged: {} bytes follow where it should end", reader.remaining()));
   }
-  if (stored != checksum(covered)) {
+  if (stored != checksum({covered})) {
     fail(path, "is damaged: its content does not match its checksum");
   }
   return layout;
@@ -167,17 +173,13 @@ std::string program_boost_version() { return BOOST_LIB_VERSION; }
 
 void write_checkpoint(const std::filesystem::path& path, const CheckpointHeader& header, std::string_view payload) {
   const std::string header_text = header_to_text(header);
-  std::string content;
-  content.reserve(magic.size() + sizeof(format_version) + 2 * sizeof(std::uint64_t) + header_text.size() +
-                  payload.size() + checksum_size);
-  content += magic;
-  append_number(content, format_version);
-  append_number(content, std::uint64_t{header_text.size()});
-  content += header_text;
-  append_number(content, std::uint64_t{payload.size()});
-  content += payload;
-  content += checksum(content);
-  write_atomically(path, content);
+  std::string begin(magic);
+  append_number(begin, format_version);
+  append_number(begin, std::uint64_t{header_text.size()});
+  begin += header_text;
+  append_number(begin, std::uint64_t{payload.size()});
+  // The payload can fill much of the memory: it is written from where it is, never copied.
+  write_atomically(path, {begin, payload, checksum({begin, payload})});
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) { return parse_checkpoint(path, read_file(path)); }

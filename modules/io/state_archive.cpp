@@ -7,6 +7,7 @@
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/binary_object.hpp>
 #include <sstream>
+#include <streambuf>
 #include <type_traits>
 
 #include "core/error.hpp"
@@ -101,6 +102,34 @@ std::vector<HistoryColumn> columns_of(const ArrayLengths& lengths, const std::st
   return columns;
 }
 
+/// Appends to a text what an archive writes.
+class TextBuffer : public std::streambuf {
+ public:
+  explicit TextBuffer(std::string& text) : text_(text) {}
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize n_bytes) override {
+    text_.append(bytes, static_cast<std::size_t>(n_bytes));
+    return n_bytes;
+  }
+  int_type overflow(int_type byte) override {
+    if (!traits_type::eq_int_type(byte, traits_type::eof())) text_.push_back(traits_type::to_char_type(byte));
+    return traits_type::not_eof(byte);
+  }
+
+ private:
+  std::string& text_;
+};
+
+/// Enough for an archive: its arrays, and its numbers and first lines.
+std::size_t archive_size(const State& state) {
+  std::size_t n_bytes = 4096;
+  visit_fields(state, [&]<class T>(const std::string&, const T& field, FieldRole) {
+    if constexpr (IsField<T>::value) n_bytes += field.size() * sizeof(typename T::value_type);
+  });
+  return n_bytes;
+}
+
 bool all_below(const Field<Index>& rows, std::size_t count) {
   return std::all_of(rows.begin(), rows.end(),
                      [&](Index row) { return row >= 0 && static_cast<std::size_t>(row) < count; });
@@ -129,10 +158,12 @@ void check_contacts(const char* name, const ContactTable& contacts, const Model&
 
 }  // namespace
 
-std::string save_state(const State& state) {
-  std::ostringstream stream;
+std::string save_state(const State& state, std::string used) {
+  used.clear();
+  used.reserve(archive_size(state));
+  TextBuffer buffer(used);
   {
-    boost::archive::binary_oarchive archive(stream);
+    boost::archive::binary_oarchive archive(buffer);
     visit_fields(state, [&]<class T>(const std::string&, const T& field, FieldRole) {
       if constexpr (IsField<T>::value) {
         if (!field.empty()) {
@@ -145,7 +176,7 @@ std::string save_state(const State& state) {
       }
     });
   }
-  return std::move(stream).str();
+  return used;
 }
 
 ArrayLengths array_lengths(const State& state) {

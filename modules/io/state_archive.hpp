@@ -10,8 +10,9 @@
 
 namespace ligament {
 
-/// All fields of the state as a Boost.Serialization archive: flat arrays, no pointers, no tracking.
-std::string save_state(const State& state);
+/// All fields of the state as a Boost.Serialization archive: flat arrays, no pointers, no tracking. The archive takes
+/// the memory of `used`: that of an earlier one spares the system from finding as much anew.
+std::string save_state(const State& state, std::string used = {});
 
 /// Number of entries of every array of the state, in the order of visit_fields().
 using ArrayLengths = std::vector<std::pair<std::string, std::uint64_t>>;

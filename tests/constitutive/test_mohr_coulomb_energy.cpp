@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <type_traits>
 #include <vector>
 
 #include "constitutive/mohr_coulomb_bilinear.hpp"
@@ -203,7 +204,9 @@ TEST_CASE_TEMPLATE("sheared to and fro under pressure until it fails, and on: G_
   }
 }
 
-TEST_CASE("the bilinear bond does what a twin with tiny substeps does") {
+TEST_CASE_TEMPLATE("the bond does what a twin with tiny substeps does", Law, SOFTENING_LAWS) {
+  constexpr auto law =
+      std::is_same_v<Law, MohrCoulombBilinear> ? reference::one_fourth_law : reference::exponential_law;
   RandomNumbers random(43);
   double shear_error = 0.0;
   double normal_error = 0.0;
@@ -211,8 +214,8 @@ TEST_CASE("the bilinear bond does what a twin with tiny substeps does") {
   double friction_error = 0.0;
   double largest_damage = 0.0;
   for (int i = 0; i < 20; ++i) {
-    DrivenBond<MohrCoulombBilinear> bond(concrete<MohrCoulombBilinear>());
-    reference::SofteningTwin twin{bond.k_n, bond.k_s, bond.area, 1.8e6, 6.5e6, 0.2, 10.0, 500.0};
+    DrivenBond<Law> bond(concrete<Law>());
+    reference::SofteningTwin twin{law, bond.k_n, bond.k_s, bond.area, 1.8e6, 6.5e6, 0.2, 10.0, 500.0};
     for (const Leg& leg : random_path(random, 10)) {
       follow(bond, {leg}, 400);
       twin.move(leg.opened, leg.slipped, 20000);

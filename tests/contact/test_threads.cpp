@@ -86,6 +86,8 @@ void check_same_bits(int n_contacts, Index n_second) {
 
 }  // namespace
 
+TEST_SUITE_BEGIN("threads");
+
 TEST_CASE("contacts of particles: the same bits for every number of threads") {
   check_same_bits<ParticlePairing>(3000, n_particles);
 }
@@ -97,3 +99,5 @@ TEST_CASE("contacts with facets: the same bits for every number of threads") {
 TEST_CASE("contacts with corners: the same bits for every number of threads") {
   check_same_bits<CornerPairing>(1500, n_facets);
 }
+
+TEST_SUITE_END();

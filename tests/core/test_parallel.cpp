@@ -13,6 +13,8 @@
 using namespace ligament;
 using support::SharedLoops;
 
+TEST_SUITE_BEGIN("threads");
+
 TEST_CASE("ranges of threads cover every row once") {
   for (const int n_threads : {1, 2, 3, 8}) {
     const SharedLoops shared(n_threads);
@@ -75,3 +77,5 @@ TEST_CASE("sums have the same bits for every number of threads") {
     }
   }
 }
+
+TEST_SUITE_END();

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <vector>
 
 #include "core/error.hpp"
 #include "core/state_hash.hpp"
@@ -35,12 +36,26 @@ std::string repaired(std::string content) {
   return content;
 }
 
-/// A model that takes the contacts of as many bodies as the checkpoint has.
+/// The laws that the names of the history tell of: <material>.bond.<variable>. None if some have no history.
+std::vector<LawBinding> laws_of(const ContactTable& contacts) {
+  std::vector<LawBinding> laws;
+  for (const HistoryColumn& column : contacts.history) {
+    const std::string name = column.name.substr(0, column.name.rfind('.'));
+    if (laws.empty() || laws.back().name != name) laws.push_back({name, nullptr, 0});
+    ++laws.back().n_history;
+  }
+  return laws.size() + 1 == contacts.law_begin.size() ? laws : std::vector<LawBinding>();
+}
+
+/// A model of as many bodies as the checkpoint has, and with its laws.
 Model model_of(const State& state) {
   Model model;
+  model.laws = laws_of(state.particle_contacts);
   model.particles.radius.assign(state.particles.translation.mass.size(), 1.0);
   model.particles.position.resize(model.particles.radius.size());
   model.nodes.position.resize(state.nodes.translation.mass.size());
+  model.beam_nodes.position.resize(state.beam_nodes.translation.mass.size());
+  model.facets.nodes.resize(model.nodes.size());
   return model;
 }
 

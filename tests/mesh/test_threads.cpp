@@ -19,6 +19,8 @@ Field<Vector> node_forces(ElementForces& forces, const Model& model, State state
 
 }  // namespace
 
+TEST_SUITE_BEGIN("threads");
+
 TEST_CASE("element forces have the same bits for every number of threads, on one mesh after the other") {
   RandomNumbers random(3);
   ElementForces forces;
@@ -32,3 +34,5 @@ TEST_CASE("element forces have the same bits for every number of threads, on one
     for (const int n_threads : {2, 3, 8}) CHECK(node_forces(forces, model, state, n_threads) == alone);
   }
 }
+
+TEST_SUITE_END();

@@ -14,8 +14,20 @@ inline double one_fourth_law(double w, double strength, double fracture_energy) 
   return 0.0;
 }
 
+/// e^(-w f/G) to its fifth unit, then a straight line that ends where the area is G.
+inline double exponential_law(double w, double strength, double fracture_energy) {
+  const double unit = fracture_energy / strength;
+  if (w < 5.0 * unit) return std::exp(-w / unit);
+  if (w < 7.0 * unit) return std::exp(-5.0) * (7.0 * unit - w) / (2.0 * unit);
+  return 0.0;
+}
+
+/// Share of the strength that is left after an inelastic displacement w, of the strength and the fracture energy.
+using SofteningLaw = double (*)(double w, double strength, double fracture_energy);
+
 /// Secant unloading, sum of damages.
 struct SofteningTwin {
+  SofteningLaw law = one_fourth_law;
   double k_n = 0.0, k_s = 0.0, area = 0.0;
   double tensile_strength = 0.0, cohesion = 0.0, friction_coefficient = 0.0, energy_tension = 0.0, energy_shear = 0.0;
 
@@ -54,8 +66,7 @@ struct SofteningTwin {
       friction_work += friction * slip;
       shear = shear > 0.0 ? shear_limit : -shear_limit;
     }
-    const double left = one_fourth_law(w_tension, tensile_strength, energy_tension) +
-                        one_fourth_law(w_shear, cohesion, energy_shear) - 1.0;
+    const double left = law(w_tension, tensile_strength, energy_tension) + law(w_shear, cohesion, energy_shear) - 1.0;
     damage = std::fmax(damage, std::fmin(1.0, 1.0 - left));
     work -= 0.5 * ((normal_before + normal) * opened + (shear_before + shear) * slipped);
   }

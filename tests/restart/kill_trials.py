@@ -3,12 +3,11 @@
 import random
 import shutil
 import signal
-import subprocess
 import time
 from dataclasses import dataclass
 
 import kill_cases
-from program import PROGRAM, ProgramTest, faulty_disk
+from program import ProgramTest, faulty_disk
 
 
 @dataclass
@@ -22,10 +21,6 @@ class KillTrials(ProgramTest):
     """The subclass, or the script, says which cases and how often."""
 
     def options_of(self, name, schedule):
-        if name == "from_a_file":
-            source, _ = kill_cases.write_case(self.folder, "brittle_local_damping")
-            subprocess.run([PROGRAM, "generate", source, "--output", self.folder / "discs.csv"], check=True,
-                           capture_output=True)
         case, own = kill_cases.write_case(self.folder, name)
         return [case, "--quiet", *own, *schedule]
 
@@ -37,7 +32,7 @@ class KillTrials(ProgramTest):
         return self.start("run", *options, "--output", "run", **disk)
 
     def is_torn(self):
-        tables = [self.folder / "run" / f"{name}.csv" for name in ("history", "energy", "cracks")]
+        tables = [self.folder / "run" / f"{name}.csv" for name in ("history", "transient", "energy", "cracks")]
         torn_rows = [table for table in tables if table.exists() and not table.read_bytes().endswith(b"\n")]
         return bool(self.unfinished() or torn_rows)
 

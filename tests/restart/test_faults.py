@@ -2,12 +2,13 @@
 """Writes that fail for a while, for good, at any operation: the run goes on, and its files are those of a quiet one."""
 
 import errno
+import resource
 import shutil
 import signal
 import unittest
 
 from program import (
-    COLUMNS, DONE, FALLING_BLOCK, FILE_ERROR, INTERRUPTED, TENSION, ProgramTest, faulty_disk, settings)
+    COLUMNS, DONE, FALLING_BLOCK, FILE_ERROR, INTERRUPTED, TENSION, WRONG_INPUT, ProgramTest, faulty_disk, settings)
 
 SCHEDULE = settings(output__every=1, checkpoint__every=5, output__fields_every=10)
 CASE = [TENSION, "--quiet", *SCHEDULE]
@@ -146,6 +147,38 @@ class RemovedFolders(ProgramTest):
         _, err = code.communicate()
         self.assertEqual(code.returncode, FILE_ERROR)
         self.assertIn("Read-only file system", err)
+
+
+class LittleMemory(ProgramTest):
+    # Some 30 000 particles.
+    LARGE = [FALLING_BLOCK, "--quiet", *settings(zone__held__radius='"0.001 m"', zone__falling__radius='"0.001 m"'),
+             *settings(solver__max_steps=4, output__every=1, checkpoint__every=1)]
+
+    def call_with(self, megabytes, *arguments):
+        limit = megabytes << 20
+        process = self.start(*arguments, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))
+        _, err = process.communicate()
+        return process.returncode, err
+
+    def test_a_run_that_needs_more_memory_than_there_is_ends_with_an_error_and_goes_on_with_more(self):
+        self.call("run", *self.LARGE, "--output", "whole")
+        code, n_refused = None, 0
+        megabytes = 40
+        while code != DONE:
+            code, err = self.call_with(megabytes, "run", *self.LARGE, "--output", "run")
+            self.assertLess(megabytes, 2000)
+            with self.subTest(megabytes=megabytes):
+                self.assertIn(code, (DONE, WRONG_INPUT, FILE_ERROR), err)
+                self.assertTrue(code == DONE or "memory" in err, err)
+                n_refused += code != DONE
+                if (self.folder / "run").exists():
+                    self.assertTrue(code == DONE or "ligament resume" in err, err)
+                    self.call("resume", "run", "--quiet")
+                    self.assertEqual(self.final_hash("run"), self.final_hash("whole"))
+                    self.assert_same_results("run", "whole")
+                    shutil.rmtree(self.folder / "run")
+            megabytes += 16
+        self.assertGreater(n_refused, 2)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Runs that are killed at any moment, as by a power cut, and resumed, end as if nothing had happened."""
 
+import json
 import random
 import signal
 import time
@@ -18,9 +19,28 @@ class Kill(KillTrials):
         schedules = kill_cases.SCHEDULES
         for number, name in enumerate(kill_cases.names()):
             with self.subTest(case=name):
-                self.kill_and_resume(name, schedules[number % len(schedules)], n_kills=8, seed=number)
+                self.kill_and_resume(name, schedules[number % len(schedules)], n_kills=5, seed=number)
             self.doCleanups()
             self.setUp()
+
+    def test_the_cases_have_every_choice_there_is(self):
+        """Every law, generator, method and kind of problem of the schema, and every file of results."""
+        schema, _ = self.call("schema")
+        tables = json.loads(schema)["properties"]
+        wanted = {("kind", value) for value in tables["problem"]["properties"]["kind"]["enum"]}
+        wanted |= {("law", value) for value in tables["material"]["additionalProperties"]["properties"]["law"]["enum"]}
+        wanted |= {("generator", value) for value in tables["zone"]["items"]["properties"]["generator"]["enum"]}
+        wanted |= {("method", value) for value in tables["solver"]["properties"]["method"]["enum"]}
+        texts = []
+        for name in kill_cases.names():
+            self.call("run", *self.options_of(name, []), "--output", name, "--stop-after-steps", 1)
+            texts.append((self.folder / name / "case_resolved.toml").read_text())
+        for key, value in sorted(wanted):
+            with self.subTest(key=key, value=value):
+                self.assertTrue(any(f'{key} = "{value}"' in text for text in texts))
+        for key in ("control", "transient_every", "beam", "schedule", "gap"):
+            with self.subTest(key=key):
+                self.assertTrue(any(f"{key} = " in text for text in texts))
 
 
 class SignalsAtAnyMoment(ProgramTest):

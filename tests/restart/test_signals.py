@@ -3,6 +3,7 @@
 
 import os
 import pty
+import re
 import shutil
 import signal
 import time
@@ -94,6 +95,28 @@ class Signals(ProgramTest):
         process.wait(timeout=15)
         self.assertEqual(process.returncode, TERMINATED)
         self.check_resumed(self.summary("run")["steps"])
+
+    def test_a_kill_while_a_terminated_run_writes_its_checkpoint_loses_no_more_than_a_kill_does(self):
+        frequent, last, n_killed = settings(checkpoint__every=40), 2000, 0
+        self.call("run", *ENDLESS, *frequent, "--output", "whole", "--stop-after-steps", last, "--quiet")
+        for grace in (0.0, 0.02, 0.06):
+            with self.subTest(grace=grace):
+                # The stop takes this disk about as long as the longest grace.
+                process = self.start("run", *ENDLESS, *frequent, "--output", "run", **faulty_disk(delay_us=2000))
+                self.wait_for(process, "       100  ")
+                process.send_signal(signal.SIGTERM)
+                kept = self.checkpoints("run")[-1].stem
+                time.sleep(grace)
+                process.kill()
+                process.communicate()
+                n_killed += process.returncode == -signal.SIGKILL
+                out, _ = self.call("resume", "run", "--until-step", last)
+                resumed_from = int(re.search(r"resuming from step (\d+)", out)[1])
+                self.assertGreaterEqual(resumed_from, int(kept.removeprefix("step_")))
+                self.assertEqual(self.final_hash("run"), self.final_hash("whole"))
+                self.assert_same_results("run", "whole")
+                shutil.rmtree(self.folder / "run")
+        self.assertGreater(n_killed, 0)
 
     def test_no_control_characters_in_files_and_pipes(self):
         out, err = self.call("run", FALLING_BLOCK, "--output", "run")

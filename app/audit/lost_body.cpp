@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "contact/pairings.hpp"
+#include "core/block_sum.hpp"
 #include "mesh/element_properties.hpp"
 
 namespace ligament {
@@ -24,6 +26,18 @@ bool is_finite_row(const RotationState& bodies, std::size_t i) {
 
 bool are_finite(const Field<Vector>& values) {
   return std::all_of(values.begin(), values.end(), [](const Vector& value) { return is_finite(value); });
+}
+
+/// How many of these travels have a square beyond this (m2), and how many turns a size beyond that (rad).
+[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(std::size_t count,
+                                                                               const Vector* travel, double square,
+                                                                               const Rotation* turn, double largest) {
+  std::int64_t n_beyond = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    n_beyond += dot({travel[i].x, travel[i].y}, {travel[i].x, travel[i].y}) <= square ? 0 : 1;
+    n_beyond += std::abs(turn[i]) <= largest ? 0 : 1;
+  }
+  return n_beyond;
 }
 
 std::string place(const Vector& rest, const Vector& displacement) {
@@ -112,11 +126,12 @@ StepLimits step_limits(const Model& model) {
 
 bool are_within(const State& state, const StepLimits& limits) {
   const auto& [translation, rotation] = state.particles;
-  return std::all_of(translation.increment.begin(), translation.increment.end(),
-                     [&](const Vector& travel) { return is_within(travel, limits.travel); }) &&
-         std::all_of(rotation.increment.begin(), rotation.increment.end(),
-                     [&](Rotation turn) { return std::abs(turn) <= limits.turn; }) &&
-         are_finite(state.nodes.translation.increment) && are_finite(state.beam_nodes.translation.increment);
+  const std::int64_t n_beyond = sum_of_blocks(translation.increment.size(), [&](std::size_t begin, std::size_t end) {
+    return count_beyond(end - begin, translation.increment.data() + begin, limits.travel * limits.travel,
+                        rotation.increment.data() + begin, limits.turn);
+  });
+  return n_beyond == 0 && are_finite(state.nodes.translation.increment) &&
+         are_finite(state.beam_nodes.translation.increment);
 }
 
 std::string describe_infinite_body(const Model& model, const State& state) {

@@ -11,9 +11,26 @@ namespace ligament {
 template <class T>
 using BlockColumn = std::array<T, contact_block_size>;
 
+/// One vector for every contact of a block, component beside component as in a Field<Vector>. Numbers, not vectors:
+/// compilers make vector instructions of loops over these alone.
+class BlockVectors {
+ public:
+  [[nodiscard]] Vector operator[](std::size_t i) const {
+    Vector vector;
+    for (int axis = 0; axis < dimension; ++axis) set_component(vector, axis, components_[dimension * i + axis]);
+    return vector;
+  }
+  void set(std::size_t i, const Vector& vector) {
+    for (int axis = 0; axis < dimension; ++axis) components_[dimension * i + axis] = component(vector, axis);
+  }
+
+ private:
+  std::array<double, dimension * contact_block_size> components_;
+};
+
 /// ContactMotion of a block of contacts, in columns.
 struct BlockMotion {
-  VectorColumns<contact_block_size> normal;
+  BlockVectors normal;
   BlockColumn<double> arm_first;
   BlockColumn<double> arm_second;
   BlockColumn<double> share;

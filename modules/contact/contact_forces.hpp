@@ -2,28 +2,23 @@
 
 #include <algorithm>
 
-#include "contact/contact_ends.hpp"
 #include "contact/contact_secants.hpp"
 #include "contact/contact_springs.hpp"
 #include "contact/law_ranges.hpp"
 #include "contact/pairings.hpp"
+#include "contact/shared_bodies.hpp"
 #include "core/block_sum.hpp"
 #include "core/force_provider.hpp"
 
 namespace ligament {
 
-/// Forces of one kind of contact: kinematics → law → forces, block by block, so that the arrays between the three stay
-/// in the first cache. A body adds up the forces of its contacts in their order, whether one thread brings them to the
-/// bodies contact by contact, or many fetch them body by body.
+/// Forces of one kind of contact: kinematics → law → forces, block by block, so that the arrays between the stages stay
+/// in the first cache. A body adds up the forces of its contacts in their order, whatever the number of threads.
 template <class Pairing>
 class ContactForces : public ForceProvider {
  public:
   void add_forces(const Model& model, State& state) override {
-    if (is_shared(Pairing::table(state).size())) {
-      add_forces_by_body(model, state);
-    } else {
-      add_forces_by_contact(model, state);
-    }
+    for (std::size_t law = 0; law < model.laws.size(); ++law) add_forces_of_law(model, state, law);
   }
 
   void add_stiffness(const Model& model, const State& state, StiffnessBounds& bounds) const override {
@@ -63,42 +58,77 @@ class ContactForces : public ForceProvider {
   }
 
  private:
-  void add_forces_by_contact(const Model& model, State& state) const {
-    const ContactTable& contacts = Pairing::table(state);
-    if (contacts.size() == 0) return;
+  /// What blocks pass from stage to stage, and forces that have to wait for those of other threads.
+  struct Part {
     BlockMotion motion;
-    for (const LawBlock& block : law_blocks(model, contacts)) {
-      measure_motion(model, state, block, motion);
-      apply_law(model, Pairing::table(state), block, motion);
-      visit_forces(contacts, block, motion, [&](std::size_t row, const auto& forces) {
-        const auto bodies = Pairing::end_bodies(model, contacts, row);
-        for (std::size_t end = 0; end < Pairing::n_ends; ++end) {
-          if (Pairing::end_kinds[end] == BodyKind::particle) {
-            add(forces[end], state.particles, bodies[end]);
-          } else {
-            add(forces[end], state.nodes, bodies[end]);
-          }
-        }
-      });
+    BlockEndForces<Pairing::n_ends> end_forces;
+    std::vector<WaitingForce> waiting;
+  };
+
+  /// Each thread takes a part of the contacts. A force on a body that contacts of earlier parts may act on as well waits
+  /// until all parts are done: in spatial order those are the bodies on a line.
+  void add_forces_of_law(const Model& model, State& state, std::size_t law) {
+    const auto first = static_cast<std::size_t>(Pairing::table(state).law_begin[law]);
+    const auto count = static_cast<std::size_t>(Pairing::table(state).law_begin[law + 1]) - first;
+    const std::size_t n_parts = is_shared(count) ? static_cast<std::size_t>(threads().count) : 1;
+    parts_.resize(std::max(parts_.size(), n_parts));
+    parallel_ranges(n_parts, n_parts > 1, [&](std::size_t part, std::size_t /*end*/) {
+      const LawBlock rows{model.laws[law].law.get(), static_cast<Index>(law), first + count * part / n_parts,
+                          first + count * (part + 1) / n_parts};
+      const TouchedBodies before = touched_bodies<Pairing>(model, Pairing::table(state), first, rows.begin);
+      add_forces_of_part(model, state, rows, before, parts_[part]);
+    });
+    for (std::size_t part = 1; part < n_parts; ++part) {
+      for (const WaitingForce& waiting : parts_[part].waiting) add(waiting.force, state, waiting.kind, waiting.body);
     }
   }
 
-  void add_forces_by_body(const Model& model, State& state) {
+  static void add_forces_of_part(const Model& model, State& state, const LawBlock& rows, const TouchedBodies& before,
+                                 Part& part) {
+    part.waiting.clear();
+    for (std::size_t begin = rows.begin; begin < rows.end; begin += contact_block_size) {
+      const LawBlock block{rows.law, rows.law_row, begin, std::min(begin + contact_block_size, rows.end)};
+      measure_motion(model, state, block, part.motion);
+      apply_law(model, Pairing::table(state), block, part.motion);
+      Pairing::find_end_forces(Pairing::table(state), block, part.motion, part.end_forces);
+      bring_forces(model, state, block, before, part);
+    }
+  }
+
+  /// Brings the forces of a block to the bodies. Contacts of one first body follow each other: it is fetched once for
+  /// all of them, which do not have to wait for each other then. No other end of them is at that body.
+  static void bring_forces(const Model& model, State& state, const LawBlock& block, const TouchedBodies& before,
+                           Part& part) {
     const ContactTable& contacts = Pairing::table(state);
-    ends_.update<Pairing>(model, contacts);
-    end_forces_.resize(contacts.size());
-    const std::vector<LawBlock> blocks = law_blocks(model, contacts);
-    parallel_ranges(blocks.size(), true, [&](std::size_t begin, std::size_t end) {
-      BlockMotion motion;
-      for (std::size_t i = begin; i < end; ++i) {
-        measure_motion(model, state, blocks[i], motion);
-        apply_law(model, Pairing::table(state), blocks[i], motion);
-        visit_forces(contacts, blocks[i], motion,
-                     [&](std::size_t row, const auto& forces) { end_forces_[row] = forces; });
+    const BlockEndForces<Pairing::n_ends>& forces = part.end_forces;
+    constexpr BodyKind kind = Pairing::end_kinds[0];
+    for (std::size_t i = 0; i < block.size();) {
+      const Index first = contacts.first[block.begin + i];
+      const bool waits = before.may_include(kind, first);
+      EndForce sum = force_on(state, kind, first);
+      for (; i < block.size() && contacts.first[block.begin + i] == first; ++i) {
+        if (waits) {
+          part.waiting.push_back({kind, first, forces.at(0, i)});
+        } else {
+          sum += forces.at(0, i);
+        }
+        bring_to_others(state, Pairing::end_bodies(model, contacts, block.begin + i), i, before, part);
       }
-    });
-    fetch_forces(ends_.at_particles(), state.particles);
-    fetch_forces(ends_.at_nodes(), state.nodes);
+      if (!waits) set_force_on(state, kind, first, sum);
+    }
+  }
+
+  template <class Bodies>
+  static void bring_to_others(State& state, const Bodies& bodies, std::size_t i, const TouchedBodies& before,
+                              Part& part) {
+    for (std::size_t end = 1; end < Pairing::n_ends; ++end) {
+      const BodyKind kind = Pairing::end_kinds[end];
+      if (before.may_include(kind, bodies[end])) {
+        part.waiting.push_back({kind, bodies[end], part.end_forces.at(end, i)});
+      } else {
+        add(part.end_forces.at(end, i), state, kind, bodies[end]);
+      }
+    }
   }
 
   static void measure_motion(const Model& model, State& state, const LawBlock& block, BlockMotion& motion) {
@@ -118,41 +148,13 @@ class ContactForces : public ForceProvider {
                          part(contacts.normal_force), part(contacts.shear_force), part(contacts.bond), history});
   }
 
-  /// Calls take(row, forces on the ends) for every contact of a block.
-  template <class Take>
-  static void visit_forces(const ContactTable& contacts, const LawBlock& block, const BlockMotion& motion,
-                           Take&& take) {
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      const std::size_t row = block.begin + i;
-      const ContactGeometry geometry = motion.geometry(i);
-      const Vector& normal = geometry.normal;
-      const ShearVector shear = contacts.shear_force[row];
-      const Vector force = contacts.normal_force[row] * normal + shear * tangent(normal);
-      take(row, Pairing::end_forces(geometry, {force, shear}));
-    }
+  static void add(const EndForce& force, State& state, BodyKind kind, Index body) {
+    EndForce sum = force_on(state, kind, body);
+    sum += force;
+    set_force_on(state, kind, body, sum);
   }
 
-  static void add(const EndForce& end, ParticleState& particles, std::size_t row) {
-    particles.translation.force[row] += end.force;
-    particles.rotation.moment[row] += end.moment;
-  }
-  static void add(const EndForce& end, NodeState& nodes, std::size_t row) { nodes.translation.force[row] += end.force; }
-
-  template <class Bodies>
-  void fetch_forces(const Occurrences& ends, Bodies& bodies) const {
-    if (ends.places.empty()) return;
-    parallel_ranges(ends.begin.size() - 1, true, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t body = begin; body < end; ++body) {
-        for (const std::size_t number : ends.of(body)) {
-          add(end_forces_[number / Pairing::n_ends][number % Pairing::n_ends], bodies, body);
-        }
-      }
-    });
-  }
-
-  // Scratch of threads that share a table.
-  ContactEnds ends_;
-  std::vector<std::array<EndForce, Pairing::n_ends>> end_forces_;
+  std::vector<Part> parts_;
 };
 
 }  // namespace ligament

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "contact/cut_pairs.hpp"
 #include "contact/dropped_contacts.hpp"
@@ -13,6 +12,7 @@
 #include "contact/particle_search.hpp"
 #include "contact/seats.hpp"
 #include "contact/sliding_contacts.hpp"
+#include "core/block_sum.hpp"
 
 namespace ligament {
 namespace {
@@ -23,16 +23,23 @@ Field<Vector> current_positions(const Field<Vector>& rest, const Field<Vector>& 
   return positions;
 }
 
-double largest_travel(const Field<Vector>& displacement, const Field<Vector>& last) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < last.size(); ++i) {
-    const Vector travel = displacement[i] - last[i];
-    const double square = dot(travel, travel);
-    if (square <= largest) continue;
-    // A travel that is not a number must not pass for a small one, nor be forgotten.
-    largest = std::isnan(square) ? std::numeric_limits<double>::infinity() : square;
+/// How many of the bodies have a square of their travel that is not at most this (m2).
+[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(
+    std::size_t count, const Vector* __restrict displacement, const Vector* __restrict last, double square) {
+  std::int64_t n_beyond = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector travel{displacement[i].x - last[i].x, displacement[i].y - last[i].y};
+    n_beyond += dot(travel, travel) <= square ? 0 : 1;
   }
-  return std::sqrt(largest);
+  return n_beyond;
+}
+
+/// Whether a body has moved farther than this (m) since the last update; what is not a number has.
+bool has_travelled(const Field<Vector>& displacement, const Field<Vector>& last, double distance) {
+  const std::int64_t n_travelled = sum_of_blocks(last.size(), [&](std::size_t begin, std::size_t end) {
+    return count_beyond(end - begin, displacement.data() + begin, last.data() + begin, distance * distance);
+  });
+  return n_travelled > 0;
 }
 
 /// Gap up to which a pair of particles is bonded at set-up: the larger one of their zones.
@@ -63,29 +70,46 @@ bool gets_bond(const std::vector<SetupPair>& pairs, const std::vector<SetupPair>
   return is_setup_pair(pairs, pair) && !is_setup_pair(cut_pairs, pair);
 }
 
-/// The pairs found, joined by the bonds of the table, which hold at any distance, each with the row it has now.
+bool holds(BondState bond) { return bond == BondState::bonded || bond == BondState::softening; }
+
+/// A contact of a table and its row.
+struct KnownContact {
+  SetupPair pair;
+  Index row = 0;
+  friend auto operator<=>(const KnownContact&, const KnownContact&) = default;
+};
+
+/// All contacts of a table, sorted by their pairs.
+std::vector<KnownContact> known_contacts(const ContactTable& contacts) {
+  std::vector<KnownContact> known(contacts.size());
+  for (std::size_t row = 0; row < contacts.size(); ++row) {
+    known[row] = {{contacts.first[row], contacts.second[row]}, static_cast<Index>(row)};
+  }
+  // Those of each law are.
+  if (!std::is_sorted(known.begin(), known.end())) std::sort(known.begin(), known.end());
+  return known;
+}
+
+/// The pairs found, sorted, joined by the bonds of the table, which hold at any distance, each with the row it has now.
 /// `law_of` tells the law of new pairs.
 template <class LawOf>
 std::vector<ContactCandidate> candidates(const ContactTable& contacts, const std::vector<SetupPair>& found,
                                          LawOf&& law_of) {
-  std::map<SetupPair, Index> rows;
   std::vector<ContactCandidate> all;
-  for (std::size_t row = 0; row < contacts.size(); ++row) {
-    const SetupPair pair{contacts.first[row], contacts.second[row]};
-    rows.emplace(pair, static_cast<Index>(row));
-    const bool holds = contacts.bond[row] == BondState::bonded || contacts.bond[row] == BondState::softening;
-    if (holds) all.push_back({contacts.law[row], pair.first, pair.second, static_cast<Index>(row)});
+  const auto keep = [&](const KnownContact& known) {
+    all.push_back({contacts.law[known.row], known.pair.first, known.pair.second, known.row});
+  };
+  auto pair = found.begin();
+  const auto add_new_before = [&](const SetupPair& end) {
+    for (; pair != found.end() && *pair < end; ++pair) all.push_back({law_of(*pair), pair->first, pair->second, -1});
+  };
+  for (const KnownContact& known : known_contacts(contacts)) {
+    add_new_before(known.pair);
+    const bool is_found = pair != found.end() && *pair == known.pair;
+    if (is_found || holds(contacts.bond[known.row])) keep(known);
+    if (is_found) ++pair;
   }
-  for (const SetupPair& pair : found) {
-    const auto known = rows.find(pair);
-    if (known == rows.end()) {
-      all.push_back({law_of(pair), pair.first, pair.second, -1});
-      continue;
-    }
-    const Index row = known->second;
-    const bool holds = contacts.bond[row] == BondState::bonded || contacts.bond[row] == BondState::softening;
-    if (!holds) all.push_back({contacts.law[row], pair.first, pair.second, row});
-  }
+  add_new_before({std::numeric_limits<Index>::max(), 0});
   return all;
 }
 
@@ -115,11 +139,15 @@ Field<double> interface_excess(const Model& model) {
   return excess;
 }
 
-/// The same for two particles.
-double pair_excess(const Model& model, const SetupPair& pair) {
-  if (!is_setup_pair(model.particle_pairs, pair)) return 0.0;
+/// The same for two particles of set-up.
+double setup_pair_excess(const Model& model, const SetupPair& pair) {
   const double radii = model.particles.radius[pair.first] + model.particles.radius[pair.second];
   return std::max(0.0, particle_rest_distance(model, pair) - radii);
+}
+
+/// The same for any two.
+double pair_excess(const Model& model, const SetupPair& pair) {
+  return is_setup_pair(model.particle_pairs, pair) ? setup_pair_excess(model, pair) : 0.0;
 }
 
 void remove_pairs(std::vector<SetupPair>& pairs, const std::vector<SetupPair>& unwanted) {
@@ -151,7 +179,7 @@ void GridContactDetector::bond(Model& model, State& state) {
   for (const Zone& zone : model.zones) largest_gap = std::max(largest_gap, zone.detection_gap);
   model.particle_pairs = find_particle_pairs(
       particles.position, particles.radius, [&](Index a, Index b) { return bond_reach(model, a, b); },
-      2.0 * largest_gap * largest_radius);
+      {.largest = 2.0 * largest_gap * largest_radius});
   const FacetPairs facet_pairs = find_facet_pairs(
       model.facets, model.nodes.position, particles.position, particles.radius,
       [&](Index i) { return interface_reach(model, i); },
@@ -173,11 +201,12 @@ void GridContactDetector::bond(Model& model, State& state) {
 }
 
 bool GridContactDetector::update(const Model& model, State& state) {
-  const double travel =
-      std::max(largest_travel(state.particles.translation.displacement, state.search.particle_displacement),
-               largest_travel(state.nodes.translation.displacement, state.search.node_displacement));
   // Two bodies may approach each other from both sides.
-  if (travel <= 0.5 * skin_) return false;
+  const double distance = 0.5 * skin_;
+  if (!has_travelled(state.particles.translation.displacement, state.search.particle_displacement, distance) &&
+      !has_travelled(state.nodes.translation.displacement, state.search.node_displacement, distance)) {
+    return false;
+  }
   rebuild_particle_contacts(model, state, false);
   rebuild_interface_contacts(model, state, false);
   state.search.particle_displacement = state.particles.translation.displacement;
@@ -189,17 +218,20 @@ bool GridContactDetector::update(const Model& model, State& state) {
 void GridContactDetector::rebuild_particle_contacts(const Model& model, State& state, bool is_setup) const {
   const Field<Vector> centres = current_positions(model.particles.position, state.particles.translation.displacement);
   double largest_excess = 0.0;
-  for (const SetupPair& pair : model.particle_pairs)
-    largest_excess = std::max(largest_excess, pair_excess(model, pair));
+  for (const SetupPair& pair : model.particle_pairs) {
+    largest_excess = std::max(largest_excess, setup_pair_excess(model, pair));
+  }
   std::vector<SetupPair> found = find_particle_pairs(
       centres, model.particles.radius,
       [&](Index a, Index b) {
         return skin_ + pair_excess(model, {a, b});
       },
-      skin_ + largest_excess);
-  if (is_setup) found.insert(found.end(), model.particle_pairs.begin(), model.particle_pairs.end());
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+      {.smallest = skin_, .largest = skin_ + largest_excess});
+  if (is_setup) {
+    found.insert(found.end(), model.particle_pairs.begin(), model.particle_pairs.end());
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
 
   ContactTable& contacts = state.particle_contacts;
   const std::vector<ContactCandidate> kept = candidates(contacts, found, [&](const SetupPair& pair) {

@@ -13,34 +13,28 @@
 /// the rest.
 namespace ligament {
 
-/// F_C = F_n n + F_s t on the second body, Eq. (24).
-struct ContactPointForce {
-  Vector force;             ///< F_C (N)
-  ShearVector shear = 0.0;  ///< F_s (N)
-};
-
 inline ContactReference reference_of(const ContactTable& contacts, std::size_t row) {
   return {contacts.rest_distance[row], contacts.initial_gap[row], contacts.opening[row]};
 }
 
-/// What a contact does to a body at one of its ends; nodes feel no moment.
-struct EndForce {
-  Vector force;         ///< (N)
-  Moment moment = 0.0;  ///< (N m)
-};
-
 enum class BodyKind { particle, node };
 
-/// On a particle that is the first body.
-inline EndForce force_on_first(const ContactGeometry& geometry, const ContactPointForce& contact) {
-  return {-contact.force, -(geometry.arm_first * contact.shear)};
-}
-
-/// Motions of the contacts of a block, for kinds of which there are few.
+/// Motions of the contacts of a block, and what these do at their ends, for kinds of which there are few.
 template <class Pairing>
 void measure_one_by_one(const Model& model, const State& state, const LawBlock& block, BlockMotion& block_motion) {
   for (std::size_t i = 0; i < block.size(); ++i) {
     block_motion.set(i, Pairing::motion(model, state, block.begin + i));
+  }
+}
+
+template <class Pairing>
+void find_end_forces_one_by_one(const ContactTable& contacts, const LawBlock& block, const BlockMotion& block_motion,
+                                BlockEndForces<Pairing::n_ends>& forces) {
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    const std::size_t row = block.begin + i;
+    const ContactGeometry geometry = block_motion.geometry(i);
+    forces.set(i, Pairing::end_forces(geometry, contact_point_force(geometry.normal, contacts.normal_force[row],
+                                                                    contacts.shear_force[row])));
   }
 }
 
@@ -73,10 +67,19 @@ struct ParticlePairing {
     PairBlock pairs;
     pairs.size = block.size();
     for (std::size_t i = 0; i < pairs.size; ++i) {
-      const std::size_t row = block.begin + i;
-      pairs.set(i, centres(model, state, row), discs(model, state, row), reference_of(state.particle_contacts, row));
+      pairs.set(i, centres(model, state, block.begin + i), discs(model, state, block.begin + i));
     }
-    measure_pairs(pairs, motion);
+    const ContactTable& contacts = state.particle_contacts;
+    measure_pairs(
+        pairs,
+        {&contacts.rest_distance[block.begin], &contacts.initial_gap[block.begin], &contacts.opening[block.begin]},
+        motion);
+  }
+
+  static void find_end_forces(const ContactTable& contacts, const LawBlock& block, const BlockMotion& motion,
+                              BlockEndForces<2>& forces) {
+    find_pair_forces(block.size(), motion, &contacts.normal_force[block.begin], &contacts.shear_force[block.begin],
+                     forces);
   }
 
   static constexpr std::size_t n_ends = 2;
@@ -87,7 +90,7 @@ struct ParticlePairing {
   }
 
   static std::array<EndForce, n_ends> end_forces(const ContactGeometry& geometry, const ContactPointForce& contact) {
-    return {force_on_first(geometry, contact), {contact.force, -(geometry.arm_second * contact.shear)}};
+    return {force_on_first(geometry, contact), force_on_second(geometry, contact)};
   }
 
   static void add_stiffness(const Model& model, const State& state, std::size_t row, const ContactGeometry& geometry,
@@ -124,6 +127,11 @@ struct FacetPairing {
 
   static void measure(const Model& model, const State& state, const LawBlock& block, BlockMotion& block_motion) {
     measure_one_by_one<FacetPairing>(model, state, block, block_motion);
+  }
+
+  static void find_end_forces(const ContactTable& contacts, const LawBlock& block, const BlockMotion& block_motion,
+                              BlockEndForces<3>& forces) {
+    find_end_forces_one_by_one<FacetPairing>(contacts, block, block_motion, forces);
   }
 
   static constexpr std::size_t n_ends = 3;
@@ -174,6 +182,11 @@ struct CornerPairing {
     measure_one_by_one<CornerPairing>(model, state, block, block_motion);
   }
 
+  static void find_end_forces(const ContactTable& contacts, const LawBlock& block, const BlockMotion& block_motion,
+                              BlockEndForces<2>& forces) {
+    find_end_forces_one_by_one<CornerPairing>(contacts, block, block_motion, forces);
+  }
+
   static constexpr std::size_t n_ends = 2;
   static constexpr std::array<BodyKind, n_ends> end_kinds{BodyKind::particle, BodyKind::node};
 
@@ -216,6 +229,11 @@ struct SeatPairing {
 
   static void measure(const Model& model, const State& state, const LawBlock& block, BlockMotion& block_motion) {
     measure_one_by_one<SeatPairing>(model, state, block, block_motion);
+  }
+
+  static void find_end_forces(const ContactTable& contacts, const LawBlock& block, const BlockMotion& block_motion,
+                              BlockEndForces<3>& forces) {
+    find_end_forces_one_by_one<SeatPairing>(contacts, block, block_motion, forces);
   }
 
   static constexpr std::size_t n_ends = 3;

@@ -76,19 +76,6 @@ inline bool is_finite(const Vector& a) { return std::isfinite(a.x) && std::isfin
 constexpr double component(const Vector& a, int axis) { return axis == 0 ? a.x : a.y; }
 constexpr void set_component(Vector& a, int axis, double value) { (axis == 0 ? a.x : a.y) = value; }
 
-/// Vectors in columns of their components, for loops that compilers turn into vector instructions.
-template <std::size_t count>
-struct VectorColumns {
-  std::array<double, count> x;
-  std::array<double, count> y;
-
-  [[nodiscard]] Vector operator[](std::size_t i) const { return {x[i], y[i]}; }
-  void set(std::size_t i, const Vector& value) {
-    x[i] = value.x;
-    y[i] = value.y;
-  }
-};
-
 constexpr Vector to_vector(const std::array<double, dimension>& a) { return {a[0], a[1]}; }
 constexpr std::array<double, 3> to_space(const Vector& a) { return {a.x, a.y, 0.0}; }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "core/integrator.hpp"
+#include "integrator/body_loops.hpp"
 
 namespace ligament {
 
@@ -20,7 +21,7 @@ class CentralDifference : public Integrator {
 
  private:
   std::unique_ptr<Damping> damping_;
-  DampingCoefficients coefficients_;  ///< of the step under way
+  TwoSums damping_work_;  ///< its halves, see PathSum, of the step under way (J)
 };
 
 }  // namespace ligament

@@ -3,60 +3,39 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/block_sum.hpp"
-#include "core/parallel.hpp"
 #include "core/parameters.hpp"
+#include "integrator/body_loops.hpp"
 
 namespace ligament {
 namespace {
 
-/// Numerator and denominator of the Rayleigh quotient.
-struct Quotient {
-  double stiffness = 0.0;  ///< xᵀSx (J)
-  double mass = 0.0;       ///< xᵀMx (J s2)
-  Quotient& operator+=(const Quotient& b) {
-    stiffness += b.stiffness;
-    mass += b.mass;
-    return *this;
-  }
-};
-
-Quotient quotient(const TranslationState& bodies, const Vector& free, const Field<Vector>& force_before,
-                  std::size_t i) {
-  const Vector motion = componentwise(free, bodies.increment[i]);
-  return {-dot(motion, bodies.force[i] - force_before[i]), bodies.mass[i] * dot(motion, motion)};
+/// Numerator and denominator of the Rayleigh quotient, xᵀSx (J) and xᵀMx (J s2), of bodies that turn, against their
+/// forces of the step before, which are then those of now.
+TwoSums take_quotient(const TurningState& bodies, const Field<Vector>& free, const Field<double>& rotation_free,
+                      Field<Vector>& force_before, Field<Moment>& moment_before) {
+  force_before.resize(free.size());
+  moment_before.resize(free.size());
+  return sum_of_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
+    BlockTerms terms;
+    add_rayleigh_terms(bodies.translation, free, force_before, {begin, end}, terms);
+    add_rayleigh_terms(bodies.rotation, rotation_free, moment_before, {begin, end}, terms);
+    return terms.sum(end - begin);
+  });
 }
 
-Quotient quotient(const RotationState& bodies, double free, const Field<Moment>& moment_before, std::size_t i) {
-  const Rotation motion = free * bodies.increment[i];
-  return {-motion * (bodies.moment[i] - moment_before[i]), bodies.inertia[i] * motion * motion};
-}
-
-/// Of all bodies, against the forces of the step before.
-Quotient quotient(const Model& model, const State& state) {
-  const RelaxationState& before = state.relaxation;
-  Quotient all = block_sum(model.particles.size(), [&](std::size_t i) {
-    Quotient sum = quotient(state.particles.translation, model.particles.free[i], before.particle_force, i);
-    sum += quotient(state.particles.rotation, model.particles.rotation_free[i], before.particle_moment, i);
-    return sum;
+/// Of all bodies.
+TwoSums take_quotient(const Model& model, const State& state, RelaxationState& before) {
+  TwoSums all = take_quotient(state.particles, model.particles.free, model.particles.rotation_free,
+                              before.particle_force, before.particle_moment);
+  before.node_force.resize(model.nodes.size());
+  all += sum_of_blocks(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
+    BlockTerms terms;
+    add_rayleigh_terms(state.nodes.translation, model.nodes.free, before.node_force, {begin, end}, terms);
+    return terms.sum(end - begin);
   });
-  all += block_sum(model.nodes.size(), [&](std::size_t i) {
-    return quotient(state.nodes.translation, model.nodes.free[i], before.node_force, i);
-  });
-  all += block_sum(model.beam_nodes.size(), [&](std::size_t i) {
-    Quotient sum = quotient(state.beam_nodes.translation, model.beam_nodes.free[i], before.beam_force, i);
-    sum += quotient(state.beam_nodes.rotation, model.beam_nodes.rotation_free[i], before.beam_moment, i);
-    return sum;
-  });
+  all += take_quotient(state.beam_nodes, model.beam_nodes.free, model.beam_nodes.rotation_free, before.beam_force,
+                       before.beam_moment);
   return all;
-}
-
-template <class T>
-void remember(const Field<T>& now, Field<T>& memory) {
-  memory.resize(now.size());
-  parallel_ranges(now.size(), [&](std::size_t begin, std::size_t end) {
-    std::copy(now.data() + begin, now.data() + end, memory.data() + begin);
-  });
 }
 
 }  // namespace
@@ -75,14 +54,10 @@ DampingCoefficients DynamicRelaxation::coefficients(const Model& model, State& s
   const bool is_first = memory.node_force.size() != model.nodes.size() ||
                         memory.particle_force.size() != model.particles.size() ||
                         memory.beam_force.size() != model.beam_nodes.size();
-  const Quotient sum = is_first ? Quotient{} : quotient(model, state);
-  remember(state.particles.translation.force, memory.particle_force);
-  remember(state.particles.rotation.moment, memory.particle_moment);
-  remember(state.nodes.translation.force, memory.node_force);
-  remember(state.beam_nodes.translation.force, memory.beam_force);
-  remember(state.beam_nodes.rotation.moment, memory.beam_moment);
+  const TwoSums quotient = take_quotient(model, state, memory);
   // Where the stiffness along the motion is negative, as in a snap, damping would only hold it up.
-  const double frequency = sum.stiffness > 0.0 && sum.mass > 0.0 ? std::sqrt(sum.stiffness / sum.mass) : 0.0;
+  const bool has_frequency = !is_first && quotient.first > 0.0 && quotient.second > 0.0;
+  const double frequency = has_frequency ? std::sqrt(quotient.first / quotient.second) : 0.0;
   memory.damping = std::min(2.0 * damping_ratio_ * frequency, largest_damping_ / state.clock.acceleration_time());
   return {.viscous = memory.damping};
 }

@@ -2,11 +2,12 @@
 
 #include <cmath>
 
+#include "constitutive/mohr_coulomb_bilinear.hpp"
 #include "integrator/dynamic_relaxation.hpp"
 #include "support/hand_made_simulation.hpp"
 #include "support/hybrid_strip.hpp"
 
-/// Square hexagonal assemblies with elastic bonds.
+/// Square hexagonal assemblies with bonds that soften along two lines and slide, strong enough to stay whole.
 namespace ligament::benchmarks {
 
 inline constexpr double lattice_radius = 0.01;
@@ -20,6 +21,14 @@ inline Rectangle lattice_region(std::size_t n_particles) {
 
 inline Model lattice_model(std::size_t n_particles) {
   Model model = support::empty_model({.stiffness = StiffnessFormula::hexagonal});
+  MohrCoulombBilinear bond;
+  bond.tensile_strength = 1e7;
+  bond.cohesion = 4e7;
+  bond.friction_coefficient = 0.3;
+  bond.fracture_energy_tension = 1e7;
+  bond.fracture_energy_shear = 1e8;
+  model.laws[support::bond_law] = {"rock.bond", std::make_shared<BatchLaw<MohrCoulombBilinear>>(bond),
+                                   MohrCoulombBilinear::n_history};
   for (const Vector& centre : support::hexagonal_packing(lattice_region(n_particles), lattice_radius, "x").position) {
     support::add_particle(model, centre, lattice_radius);
   }

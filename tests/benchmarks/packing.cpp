@@ -37,7 +37,8 @@ void particle_search(benchmark::State& run) {
   for ([[maybe_unused]] auto _ : run) {
     n_pairs =
         find_particle_pairs(
-            model.particles.position, model.particles.radius, [](Index, Index) { return lattice_skin; }, lattice_skin)
+            model.particles.position, model.particles.radius, [](Index, Index) { return lattice_skin; },
+            {.smallest = lattice_skin, .largest = lattice_skin})
             .size();
   }
   count_items(run, "pairs", n_pairs);

@@ -32,7 +32,7 @@ Discs random_discs(std::uint64_t seed, int count, double smallest, double larges
 
 std::vector<SetupPair> found(const Discs& discs, double reach) {
   return find_particle_pairs(
-      discs.centres, discs.radii, [&](Index, Index) { return reach; }, reach);
+      discs.centres, discs.radii, [&](Index, Index) { return reach; }, {.largest = reach});
 }
 
 }  // namespace
@@ -63,7 +63,8 @@ TEST_CASE("a reach of its own for every pair is kept to") {
                        discs.radii[pair.second];
     return gap > reach(pair.first, pair.second);
   });
-  CHECK(find_particle_pairs(discs.centres, discs.radii, reach, 0.1) == expected);
+  CHECK(find_particle_pairs(discs.centres, discs.radii, reach, {.largest = 0.1}) == expected);
+  CHECK(find_particle_pairs(discs.centres, discs.radii, reach, {.smallest = 0.0, .largest = 0.1}) == expected);
 }
 
 TEST_CASE("no discs, one disc, discs in one place, discs in a line") {

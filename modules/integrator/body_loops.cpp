@@ -1,0 +1,143 @@
+#include "integrator/body_loops.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ligament {
+namespace {
+
+/// Components as numbers of their own: compilers do not take apart vectors that are copied whole.
+Vector at(const Vector* vectors, std::size_t i) { return {vectors[i].x, vectors[i].y}; }
+void put(Vector* vectors, std::size_t i, const Vector& value) {
+  vectors[i].x = value.x;
+  vectors[i].y = value.y;
+}
+
+/// The numbers of a law of motion as the loops use them.
+struct MotionFactors {
+  explicit MotionFactors(const MotionLaw& law)
+      : viscous(law.damping.viscous),
+        local(law.damping.local),
+        time(law.acceleration_time),
+        factor(time / (1.0 + 0.5 * viscous * time)),
+        half_step(0.5 * law.time_step) {}
+  double viscous;
+  double local;
+  double time;
+  double factor;
+  double half_step;
+};
+
+/// std::clamp between minus and plus a limit, by values.
+double kept_within(double value, double limit) { return std::max(-limit, std::min(limit, value)); }
+
+/// One freedom. Both dampings act on the mean of v(n-½) and v(n+½), as their work does: they never give energy, and the
+/// step stays stable up to 2/ω. Local damping at most stops that mean.
+double velocity_after(double before, double acceleration, double free, const MotionFactors& law) {
+  const double undragged = before + law.factor * (free * (acceleration - law.viscous * before));
+  const double drag = law.factor * law.local * (free * std::abs(acceleration));
+  return undragged - kept_within(before + undragged, drag);
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void accelerate_translations(
+    std::size_t count, const MotionFactors& law, const Vector* __restrict force, const double* __restrict mass,
+    const Vector* __restrict free, const Vector* __restrict increment, Vector* __restrict velocity_before,
+    Vector* __restrict velocity, double* __restrict work_behind, double* __restrict work_ahead) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector before = at(velocity, i);
+    const Vector resultant = at(force, i);
+    const Vector is_free = at(free, i);
+    const Vector acceleration = resultant / mass[i];
+    const Vector after{velocity_after(before.x, acceleration.x, is_free.x, law),
+                       velocity_after(before.y, acceleration.y, is_free.y, law)};
+    put(velocity_before, i, before);
+    put(velocity, i, after);
+    const Vector damping = componentwise(is_free, (mass[i] / law.time) * (after - before) - resultant);
+    work_behind[i] = 0.5 * dot(damping, at(increment, i));
+    work_ahead[i] = law.half_step * dot(damping, after);
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void accelerate_rotations(
+    std::size_t count, const MotionFactors& law, const double* __restrict moment, const double* __restrict inertia,
+    const double* __restrict free, const double* __restrict increment, double* __restrict spin_before,
+    double* __restrict spin, double* __restrict work_behind, double* __restrict work_ahead) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Spin before = spin[i];
+    const Spin after = velocity_after(before, moment[i] / inertia[i], free[i], law);
+    spin_before[i] = before;
+    spin[i] = after;
+    const Moment damping = free[i] * ((inertia[i] / law.time) * (after - before) - moment[i]);
+    work_behind[i] += 0.5 * damping * increment[i];
+    work_ahead[i] += law.half_step * damping * after;
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void add_translation_terms(
+    std::size_t count, const Vector* __restrict force, const double* __restrict mass, const Vector* __restrict free,
+    const Vector* __restrict increment, Vector* __restrict force_before, double* __restrict stiffness,
+    double* __restrict inertia) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vector motion = componentwise(at(free, i), at(increment, i));
+    const Vector now = at(force, i);
+    stiffness[i] = -dot(motion, now - at(force_before, i));
+    inertia[i] = mass[i] * dot(motion, motion);
+    put(force_before, i, now);
+  }
+}
+
+[[gnu::target_clones("avx512f", "avx2", "default")]] void add_rotation_terms(
+    std::size_t count, const double* __restrict moment, const double* __restrict mass, const double* __restrict free,
+    const double* __restrict increment, double* __restrict moment_before, double* __restrict stiffness,
+    double* __restrict inertia) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Rotation motion = free[i] * increment[i];
+    stiffness[i] -= motion * (moment[i] - moment_before[i]);
+    inertia[i] += mass[i] * motion * motion;
+    moment_before[i] = moment[i];
+  }
+}
+
+}  // namespace
+
+TwoSums BlockTerms::sum(std::size_t count) const {
+  std::array<TwoSums, n_lanes> lanes;
+  for (std::size_t i = 0; i < count; ++i) lanes[i % n_lanes] += {first[i], second[i]};
+  TwoSums sum;
+  for (const TwoSums& lane : lanes) sum += lane;
+  return sum;
+}
+
+void accelerate(TranslationState& bodies, const Field<Vector>& free, const MotionLaw& law, const BodyRows& rows,
+                BlockTerms& work) {
+  const std::size_t begin = rows.begin;
+  accelerate_translations(rows.size(), MotionFactors(law), bodies.force.data() + begin, bodies.mass.data() + begin,
+                          free.data() + begin, bodies.increment.data() + begin, bodies.velocity_before.data() + begin,
+                          bodies.velocity.data() + begin, work.first.data(), work.second.data());
+}
+
+void accelerate(RotationState& bodies, const Field<double>& free, const MotionLaw& law, const BodyRows& rows,
+                BlockTerms& work) {
+  const std::size_t begin = rows.begin;
+  accelerate_rotations(rows.size(), MotionFactors(law), bodies.moment.data() + begin, bodies.inertia.data() + begin,
+                       free.data() + begin, bodies.increment.data() + begin, bodies.spin_before.data() + begin,
+                       bodies.spin.data() + begin, work.first.data(), work.second.data());
+}
+
+void add_rayleigh_terms(const TranslationState& bodies, const Field<Vector>& free, Field<Vector>& force_before,
+                        const BodyRows& rows, BlockTerms& terms) {
+  const std::size_t begin = rows.begin;
+  add_translation_terms(rows.size(), bodies.force.data() + begin, bodies.mass.data() + begin, free.data() + begin,
+                        bodies.increment.data() + begin, force_before.data() + begin, terms.first.data(),
+                        terms.second.data());
+}
+
+void add_rayleigh_terms(const RotationState& bodies, const Field<double>& free, Field<Moment>& moment_before,
+                        const BodyRows& rows, BlockTerms& terms) {
+  const std::size_t begin = rows.begin;
+  add_rotation_terms(rows.size(), bodies.moment.data() + begin, bodies.inertia.data() + begin, free.data() + begin,
+                     bodies.increment.data() + begin, moment_before.data() + begin, terms.first.data(),
+                     terms.second.data());
+}
+
+}  // namespace ligament

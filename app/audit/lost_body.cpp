@@ -29,12 +29,15 @@ bool are_finite(const Field<Vector>& values) {
 }
 
 /// How many of these travels have a square beyond this (m2), and how many turns a size beyond that (rad).
-[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(std::size_t count,
-                                                                               const Vector* travel, double square,
-                                                                               const Rotation* turn, double largest) {
+[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(std::size_t count, const Vector* travel,
+                                                                               double square, const Rotation* turn,
+                                                                               double largest) {
   std::int64_t n_beyond = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    n_beyond += dot({travel[i].x, travel[i].y}, {travel[i].x, travel[i].y}) <= square ? 0 : 1;
+    double travel_square = 0.0;
+    for (int axis = 0; axis < dimension; ++axis)
+      travel_square += component(travel[i], axis) * component(travel[i], axis);
+    n_beyond += travel_square <= square ? 0 : 1;
     n_beyond += std::abs(turn[i]) <= largest ? 0 : 1;
   }
   return n_beyond;
@@ -125,10 +128,11 @@ StepLimits step_limits(const Model& model) {
 }
 
 bool are_within(const State& state, const StepLimits& limits) {
-  const auto& [translation, rotation] = state.particles;
-  const std::int64_t n_beyond = sum_of_blocks(translation.increment.size(), [&](std::size_t begin, std::size_t end) {
-    return count_beyond(end - begin, translation.increment.data() + begin, limits.travel * limits.travel,
-                        rotation.increment.data() + begin, limits.turn);
+  const Field<Vector>& travel = state.particles.translation.increment;
+  const Field<Rotation>& turn = state.particles.rotation.increment;
+  const std::int64_t n_beyond = sum_of_blocks(travel.size(), [&](std::size_t begin, std::size_t end) {
+    return count_beyond(end - begin, travel.data() + begin, limits.travel * limits.travel, turn.data() + begin,
+                        limits.turn);
   });
   return n_beyond == 0 && are_finite(state.nodes.translation.increment) &&
          are_finite(state.beam_nodes.translation.increment);

@@ -58,15 +58,17 @@ class ContactForces : public ForceProvider {
   }
 
  private:
-  /// What blocks pass from stage to stage, and forces that have to wait for those of other threads.
+  /// What blocks pass from stage to stage and to the next block, and forces that have to wait for those of other
+  /// threads.
   struct Part {
     BlockMotion motion;
     BlockEndForces<Pairing::n_ends> end_forces;
+    std::vector<double*> history;  ///< of the law, from the block on
     std::vector<WaitingForce> waiting;
   };
 
-  /// Each thread takes a part of the contacts. A force on a body that contacts of earlier parts may act on as well waits
-  /// until all parts are done: in spatial order those are the bodies on a line.
+  /// Each thread takes a part of the contacts. A force on a body that contacts of earlier parts may act on as well
+  /// waits until all parts are done: in spatial order those are the bodies on a line.
   void add_forces_of_law(const Model& model, State& state, std::size_t law) {
     const auto first = static_cast<std::size_t>(Pairing::table(state).law_begin[law]);
     const auto count = static_cast<std::size_t>(Pairing::table(state).law_begin[law + 1]) - first;
@@ -86,10 +88,11 @@ class ContactForces : public ForceProvider {
   static void add_forces_of_part(const Model& model, State& state, const LawBlock& rows, const TouchedBodies& before,
                                  Part& part) {
     part.waiting.clear();
+    part.history = history_pointers(model, Pairing::table(state), rows.law_row, rows.begin);
     for (std::size_t begin = rows.begin; begin < rows.end; begin += contact_block_size) {
       const LawBlock block{rows.law, rows.law_row, begin, std::min(begin + contact_block_size, rows.end)};
       measure_motion(model, state, block, part.motion);
-      apply_law(model, Pairing::table(state), block, part.motion);
+      apply_law(Pairing::table(state), block, part);
       Pairing::find_end_forces(Pairing::table(state), block, part.motion, part.end_forces);
       bring_forces(model, state, block, before, part);
     }
@@ -140,12 +143,12 @@ class ContactForces : public ForceProvider {
     }
   }
 
-  static void apply_law(const Model& model, ContactTable& contacts, const LawBlock& block, const BlockMotion& motion) {
-    const auto history = history_pointers(model, contacts, block.law_row, block.begin);
-    const auto part = [&](auto& field) { return std::span(field).subspan(block.begin, block.size()); };
-    block.law->evaluate({part(contacts.opening), std::span(motion.slip_increment).first(block.size()),
-                         part(contacts.normal_stiffness), part(contacts.shear_stiffness), part(contacts.area),
-                         part(contacts.normal_force), part(contacts.shear_force), part(contacts.bond), history});
+  static void apply_law(ContactTable& contacts, const LawBlock& block, Part& part) {
+    const auto rows = [&](auto& field) { return std::span(field).subspan(block.begin, block.size()); };
+    block.law->evaluate({rows(contacts.opening), std::span(part.motion.slip_increment).first(block.size()),
+                         rows(contacts.normal_stiffness), rows(contacts.shear_stiffness), rows(contacts.area),
+                         rows(contacts.normal_force), rows(contacts.shear_force), rows(contacts.bond), part.history});
+    for (double*& column : part.history) column += block.size();
   }
 
   static void add(const EndForce& force, State& state, BodyKind kind, Index body) {

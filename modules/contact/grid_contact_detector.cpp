@@ -24,12 +24,18 @@ Field<Vector> current_positions(const Field<Vector>& rest, const Field<Vector>& 
 }
 
 /// How many of the bodies have a square of their travel that is not at most this (m2).
-[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(
-    std::size_t count, const Vector* __restrict displacement, const Vector* __restrict last, double square) {
+[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(std::size_t count,
+                                                                               const Vector* __restrict displacement,
+                                                                               const Vector* __restrict last,
+                                                                               double square) {
   std::int64_t n_beyond = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Vector travel{displacement[i].x - last[i].x, displacement[i].y - last[i].y};
-    n_beyond += dot(travel, travel) <= square ? 0 : 1;
+    double travel_square = 0.0;
+    for (int axis = 0; axis < dimension; ++axis) {
+      const double travel = component(displacement[i], axis) - component(last[i], axis);
+      travel_square += travel * travel;
+    }
+    n_beyond += travel_square <= square ? 0 : 1;
   }
   return n_beyond;
 }
@@ -177,9 +183,9 @@ void GridContactDetector::bond(Model& model, State& state) {
   const double largest_radius = largest_over_particles(model, [&](Index i) { return particles.radius[i]; });
   double largest_gap = 0.0;
   for (const Zone& zone : model.zones) largest_gap = std::max(largest_gap, zone.detection_gap);
-  model.particle_pairs = find_particle_pairs(
-      particles.position, particles.radius, [&](Index a, Index b) { return bond_reach(model, a, b); },
-      {.largest = 2.0 * largest_gap * largest_radius});
+  model.particle_pairs = find_particle_pairs(particles.position, particles.radius,
+                                             [&](Index a, Index b) { return bond_reach(model, a, b); },
+                                             {.largest = 2.0 * largest_gap * largest_radius});
   const FacetPairs facet_pairs = find_facet_pairs(
       model.facets, model.nodes.position, particles.position, particles.radius,
       [&](Index i) { return interface_reach(model, i); },
@@ -221,12 +227,11 @@ void GridContactDetector::rebuild_particle_contacts(const Model& model, State& s
   for (const SetupPair& pair : model.particle_pairs) {
     largest_excess = std::max(largest_excess, setup_pair_excess(model, pair));
   }
-  std::vector<SetupPair> found = find_particle_pairs(
-      centres, model.particles.radius,
-      [&](Index a, Index b) {
-        return skin_ + pair_excess(model, {a, b});
-      },
-      {.smallest = skin_, .largest = skin_ + largest_excess});
+  std::vector<SetupPair> found = find_particle_pairs(centres, model.particles.radius,
+                                                     [&](Index a, Index b) {
+                                                       return skin_ + pair_excess(model, {a, b});
+                                                     },
+                                                     {.smallest = skin_, .largest = skin_ + largest_excess});
   if (is_setup) {
     found.insert(found.end(), model.particle_pairs.begin(), model.particle_pairs.end());
     std::sort(found.begin(), found.end());

@@ -65,8 +65,7 @@ inline ContactMotion particle_pair_motion(const PointPairMotion& pair, const Con
   // Divisions take longer than all else here: one for both quotients.
   const double distances = distance + reference.rest_distance;
   const double inverse = 1.0 / (distance * distances);
-  const double stretch =
-      (inverse * distance) * dot(2.0 * pair.rest + pair.displacement, pair.displacement);
+  const double stretch = (inverse * distance) * dot(2.0 * pair.rest + pair.displacement, pair.displacement);
   const double mean_distance = 0.5 * (distance + previous);
   const double mean_arm_first = 0.5 * (mean_distance + discs.radius_difference);
   const double mean_arm_second = 0.5 * (mean_distance - discs.radius_difference);

@@ -9,7 +9,7 @@ namespace ligament {
 
 /// Physics walks contacts in blocks of this size: what passes between kinematics, law and forces then stays in the
 /// first cache.
-inline constexpr std::size_t contact_block_size = 64;
+inline constexpr std::size_t contact_block_size = 128;
 
 /// Rows [begin, end) of a contact table that one law serves.
 struct LawBlock {

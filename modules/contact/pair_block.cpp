@@ -8,15 +8,14 @@ namespace ligament {
 namespace {
 
 [[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t measure_small_turns(const PairBlock& __restrict pairs,
-                                                                             const BlockReferences& references,
-                                                                             BlockMotion& __restrict motion) {
+                                                                                      const BlockReferences& references,
+                                                                                      BlockMotion& __restrict motion) {
   std::int64_t n_large = 0;  // as wide as the numbers beside it
   for (std::size_t i = 0; i < pairs.size; ++i) {
     const PointPairMotion pair = pairs.pair(i);
     const LineTurn turn = line_turn(pair);
     n_large += is_small_turn(turn.sine, turn.cosine) ? 0 : 1;
-    motion.set(i,
-               particle_pair_motion(pair, references[i], pairs.discs(i), small_turn_angle(turn.sine, turn.cosine)));
+    motion.set(i, particle_pair_motion(pair, references[i], pairs.discs(i), small_turn_angle(turn.sine, turn.cosine)));
   }
   return n_large;
 }

@@ -6,11 +6,14 @@
 namespace ligament {
 namespace {
 
-/// Components as numbers of their own: compilers do not take apart vectors that are copied whole.
-Vector at(const Vector* vectors, std::size_t i) { return {vectors[i].x, vectors[i].y}; }
+/// Component by component: compilers do not take apart vectors that are copied whole.
+Vector at(const Vector* vectors, std::size_t i) {
+  Vector vector;
+  for (int axis = 0; axis < dimension; ++axis) set_component(vector, axis, component(vectors[i], axis));
+  return vector;
+}
 void put(Vector* vectors, std::size_t i, const Vector& value) {
-  vectors[i].x = value.x;
-  vectors[i].y = value.y;
+  for (int axis = 0; axis < dimension; ++axis) set_component(vectors[i], axis, component(value, axis));
 }
 
 /// The numbers of a law of motion as the loops use them.
@@ -48,8 +51,12 @@ double velocity_after(double before, double acceleration, double free, const Mot
     const Vector resultant = at(force, i);
     const Vector is_free = at(free, i);
     const Vector acceleration = resultant / mass[i];
-    const Vector after{velocity_after(before.x, acceleration.x, is_free.x, law),
-                       velocity_after(before.y, acceleration.y, is_free.y, law)};
+    Vector after;
+    for (int axis = 0; axis < dimension; ++axis) {
+      set_component(
+          after, axis,
+          velocity_after(component(before, axis), component(acceleration, axis), component(is_free, axis), law));
+    }
     put(velocity_before, i, before);
     put(velocity, i, after);
     const Vector damping = componentwise(is_free, (mass[i] / law.time) * (after - before) - resultant);

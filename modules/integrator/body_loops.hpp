@@ -5,9 +5,9 @@
 #include "core/block_sum.hpp"
 #include "core/integrator.hpp"
 
-/// The loops over bodies that every step of an integrator goes through, for the rows of one block. Compilers make vector
-/// instructions of them, which are chosen when the program starts; every operation rounds as it does alone, whatever
-/// the width.
+/// The loops over bodies that every step of an integrator goes through, for the rows of one block. Compilers make
+/// vector instructions of them, which are chosen when the program starts; every operation rounds as it does alone,
+/// whatever the width.
 namespace ligament {
 
 /// Rows [begin, end) of a table of bodies, at most block_size.
@@ -53,8 +53,8 @@ void accelerate(TranslationState& bodies, const Field<Vector>& free, const Motio
 void accelerate(RotationState& bodies, const Field<double>& free, const MotionLaw& law, const BodyRows& rows,
                 BlockTerms& work);
 
-/// Likewise -x·Δf and m x·x, x being the motion of the last step where bodies are free and Δf the change of their forces
-/// from those before, which are then those of now.
+/// Likewise -x·Δf and m x·x, x being the motion of the last step where bodies are free and Δf the change of their
+/// forces from those before, which are then those of now.
 void add_rayleigh_terms(const TranslationState& bodies, const Field<Vector>& free, Field<Vector>& force_before,
                         const BodyRows& rows, BlockTerms& terms);
 void add_rayleigh_terms(const RotationState& bodies, const Field<double>& free, Field<Moment>& moment_before,

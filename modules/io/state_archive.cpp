@@ -67,7 +67,37 @@ void check_lengths(const ArrayLengths& lengths, const Model& model, const State&
   }
 }
 
+/// Appends to a text what an archive writes.
+class TextBuffer : public std::streambuf {
+ public:
+  explicit TextBuffer(std::string& text) : text_(text) {}
+
+ protected:
+  std::streamsize xsputn(const char* bytes, std::streamsize n_bytes) override {
+    text_.append(bytes, static_cast<std::size_t>(n_bytes));
+    return n_bytes;
+  }
+  int_type overflow(int_type byte) override {
+    if (!traits_type::eq_int_type(byte, traits_type::eof())) text_.push_back(traits_type::to_char_type(byte));
+    return traits_type::not_eof(byte);
+  }
+
+ private:
+  std::string& text_;
+};
+
+/// What every archive of this Boost version begins with. Boost takes the length of its signature from the archive, and
+/// would ask for as much memory.
+std::string archive_begin() {
+  std::string text;
+  TextBuffer buffer(text);
+  const boost::archive::binary_oarchive archive(buffer);
+  return text;
+}
+
 void read_archive(const std::string& archive_bytes, const ArrayLengths& lengths, State& state) {
+  if (!archive_bytes.starts_with(archive_begin()))
+    throw FileError("the archive of the checkpoint begins as no archive");
   try {
     std::istringstream stream(archive_bytes);
     boost::archive::binary_iarchive archive(stream);
@@ -101,25 +131,6 @@ std::vector<HistoryColumn> columns_of(const ArrayLengths& lengths, const std::st
   }
   return columns;
 }
-
-/// Appends to a text what an archive writes.
-class TextBuffer : public std::streambuf {
- public:
-  explicit TextBuffer(std::string& text) : text_(text) {}
-
- protected:
-  std::streamsize xsputn(const char* bytes, std::streamsize n_bytes) override {
-    text_.append(bytes, static_cast<std::size_t>(n_bytes));
-    return n_bytes;
-  }
-  int_type overflow(int_type byte) override {
-    if (!traits_type::eq_int_type(byte, traits_type::eof())) text_.push_back(traits_type::to_char_type(byte));
-    return traits_type::not_eof(byte);
-  }
-
- private:
-  std::string& text_;
-};
 
 /// Enough for an archive: its arrays, and its numbers and first lines.
 std::size_t archive_size(const State& state) {

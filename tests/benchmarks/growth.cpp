@@ -1,3 +1,6 @@
+#include <malloc.h>
+#include <sys/resource.h>
+
 #include <ctime>
 #include <fstream>
 
@@ -10,13 +13,21 @@ namespace {
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Memory that the process holds (bytes).
+/// Memory in use by the process (bytes).
 double resident_memory() {
+  malloc_trim(0);
   std::ifstream file("/proc/self/statm");
   double all_pages = 0.0;
   double resident_pages = 0.0;
   file >> all_pages >> resident_pages;
   return 4096.0 * resident_pages;
+}
+
+/// Largest memory that the process has used so far (bytes).
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
 /// Seconds that the search takes when it looks at everything again.
@@ -44,6 +55,7 @@ void growth(benchmark::State& run) {
     const double begin = processor_seconds();
     Simulation simulation = settling_lattice(static_cast<std::size_t>(run.range(0)));
     run.counters["set_up"] = processor_seconds() - begin;
+    run.counters["peak_memory"] = peak_memory();
     const auto n_contacts = simulation.state().particle_contacts.size();
     run.counters["n_contacts"] = static_cast<double>(n_contacts);
     run.counters["per_item"] = step_time(simulation, n_contacts) / static_cast<double>(n_contacts);

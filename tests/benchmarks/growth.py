@@ -22,6 +22,7 @@ set xlabel 'particles'
 set ylabel 'processor time (s)'
 set key top left
 set grid
+set xrange [700:1.5e6]
 data = '{folder}/growth.csv'
 plot data using 1:5 skip 1 with linespoints pt 7 title 'set-up', \\
      data using 1:6 skip 1 with linespoints pt 5 title 'search of all contacts', \\

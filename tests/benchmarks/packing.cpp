@@ -36,9 +36,8 @@ void particle_search(benchmark::State& run) {
   std::size_t n_pairs = 0;
   for ([[maybe_unused]] auto _ : run) {
     n_pairs =
-        find_particle_pairs(
-            model.particles.position, model.particles.radius, [](Index, Index) { return lattice_skin; },
-            {.smallest = lattice_skin, .largest = lattice_skin})
+        find_particle_pairs(model.particles.position, model.particles.radius, [](Index, Index) { return lattice_skin; },
+                            {.smallest = lattice_skin, .largest = lattice_skin})
             .size();
   }
   count_items(run, "pairs", n_pairs);

@@ -38,7 +38,7 @@ PairBlock random_pairs(std::size_t size, double turn, bool has_large_turn, Refer
 
 TEST_CASE("pairs measured block by block have the bits of pairs measured one by one") {
   RandomNumbers random(11);
-  for (const std::size_t size : {1, 7, 50, 64}) {
+  for (const std::size_t size : {1, 7, 64, 101, 128}) {
     for (const bool has_large_turn : {false, true}) {
       CAPTURE(size);
       CAPTURE(has_large_turn);
@@ -60,7 +60,7 @@ TEST_CASE("pairs measured block by block have the bits of pairs measured one by 
 
 TEST_CASE("forces at the ends of a block of pairs have the bits of those of pairs one by one") {
   RandomNumbers random(12);
-  for (const std::size_t size : {1, 7, 50, 64}) {
+  for (const std::size_t size : {1, 7, 64, 101, 128}) {
     CAPTURE(size);
     BlockMotion motion;
     BlockColumn<double> normal_force;

@@ -31,8 +31,7 @@ Discs random_discs(std::uint64_t seed, int count, double smallest, double larges
 }
 
 std::vector<SetupPair> found(const Discs& discs, double reach) {
-  return find_particle_pairs(
-      discs.centres, discs.radii, [&](Index, Index) { return reach; }, {.largest = reach});
+  return find_particle_pairs(discs.centres, discs.radii, [&](Index, Index) { return reach; }, {.largest = reach});
 }
 
 }  // namespace

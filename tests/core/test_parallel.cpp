@@ -28,7 +28,7 @@ TEST_CASE("ranges of threads cover every row once") {
   }
 }
 
-TEST_CASE("a shared loop has as many ranges as threads, a small one a single range") {
+TEST_CASE("a shared loop has as many ranges as threads and a small one a single range") {
   std::mutex mutex;
   const auto count_ranges = [&](std::size_t count) {
     int n_ranges = 0;
@@ -52,7 +52,7 @@ TEST_CASE("threads really share a loop") {
   CHECK(ids[0] != ids[1]);
 }
 
-TEST_CASE("what a thread throws reaches the caller, and the others finish their rows") {
+TEST_CASE("what a thread throws reaches the caller and the others finish their rows") {
   const SharedLoops shared(3);
   std::vector<int> visits(3, 0);
   const auto loop = [&] {

@@ -29,8 +29,7 @@ double velocity_after(const Freedom& freedom, const MotionLaw& law) {
   const auto& [viscous, local] = law.damping;
   const double acceleration = freedom.force / freedom.inertia;
   const double factor = law.acceleration_time / (1.0 + 0.5 * viscous * law.acceleration_time);
-  const double undragged =
-      freedom.velocity + factor * (freedom.free * (acceleration - viscous * freedom.velocity));
+  const double undragged = freedom.velocity + factor * (freedom.free * (acceleration - viscous * freedom.velocity));
   const double drag = factor * local * (freedom.free * std::abs(acceleration));
   return undragged - std::clamp(freedom.velocity + undragged, -drag, drag);
 }

@@ -21,7 +21,7 @@ Field<Vector> node_forces(ElementForces& forces, const Model& model, State state
 
 TEST_SUITE_BEGIN("threads");
 
-TEST_CASE("element forces have the same bits for every number of threads, on one mesh after the other") {
+TEST_CASE("element forces: the same bits for every number of threads on one mesh after the other") {
   RandomNumbers random(3);
   ElementForces forces;
   for (const int n_columns : {30, 17}) {

@@ -43,7 +43,7 @@ void check_same_bits(const Trial& trial, bool contacts_change = false) {
 
 TEST_SUITE_BEGIN("threads");
 
-TEST_CASE("elements, facets and corners: the same state for every number of threads") {
+TEST_CASE("elements with facets and corners: the same state for every number of threads") {
   check_same_bits({"config/column_hexagonal_h2.toml", {}});
 }
 

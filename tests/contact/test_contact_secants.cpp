@@ -28,8 +28,8 @@ ContactMemory::Table memory_of(const ContactTable& table) {
   return memory;
 }
 
-double normal(const ContactTable& now, const ContactTable& before) { return normal_secant(now, memory_of(before), 0); }
-double shear(const ContactTable& now, const ContactTable& before) { return shear_secant(now, memory_of(before), 0); }
+double normal(const ContactTable& now, const ContactTable& before) { return normal_secant(values_of(now, 0), memory_of(before), 0); }
+double shear(const ContactTable& now, const ContactTable& before) { return shear_secant(values_of(now, 0), memory_of(before), 0); }
 
 }  // namespace
 

@@ -98,20 +98,19 @@ void Simulation::step() {
 bool Simulation::increment() {
   const auto update_contacts = [this] { modules_.contact_detector->update(model_, state_); };
   update_contacts();
-  return modules_.loading->advance(model_, state_,
-                                   {.add_forces = [this] { add_forces(); },
-                                    .add_applied_loads = [this] { add_applied_loads(); },
-                                    .internal = [this] { return internal_forces(); },
-                                    .update_contacts = update_contacts,
-                                    .is_interrupted = is_interrupted_,
-                                    .stiffness = [this] { return stiffness(); },
-                                    .secants = [this](const ContactMemory& before) { return secants(before); },
-                                    .loose_contacts = [this](const auto& before) { return loose_contacts(before); },
-                                    .try_contact = [this](const auto& before, std::size_t spring,
-                                                          const auto& stretch) {
-                                      return try_contact(before, spring, stretch);
-                                    },
-                                    .observer = observer_});
+  return modules_.loading->advance(
+      model_, state_,
+      {.add_forces = [this] { add_forces(); },
+       .add_applied_loads = [this] { add_applied_loads(); },
+       .internal = [this] { return internal_forces(); },
+       .update_contacts = update_contacts,
+       .is_interrupted = is_interrupted_,
+       .stiffness = [this] { return stiffness(); },
+       .secants = [this](const ContactMemory& before) { return secants(before); },
+       .loose_contacts = [this](const auto& before) { return loose_contacts(before); },
+       .try_contact = [this](const auto& before, std::size_t spring,
+                             const auto& stretch) { return try_contact(before, spring, stretch); },
+       .observer = observer_});
 }
 
 void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {

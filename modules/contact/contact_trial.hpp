@@ -7,7 +7,8 @@
 /// Contacts as springs that are tried one by one, apart from the bodies they join.
 namespace ligament {
 
-/// Adds the contacts of a table that may not bear what their springs would; its springs are numbered from `first_spring` on.
+/// Adds the contacts of a table that may not bear what their springs would; its springs are numbered from
+/// `first_spring` on.
 inline void add_loose_contacts(const ContactTable& contacts, const ContactMemory::Table& before,
                                std::size_t first_spring, std::vector<LooseContact>& loose) {
   for (std::size_t row = 0; row < contacts.size(); ++row) {
@@ -44,8 +45,7 @@ inline SpringAnswer try_contact(const Model& model, const ContactTable& contacts
   model.laws[law].law->evaluate({one(opening), one(slip), one(contacts.normal_stiffness[row]),
                                  one(contacts.shear_stiffness[row]), one(contacts.area[row]), one(now.normal_force),
                                  one(now.shear_force), one(now.bond), pointers});
-  return {{-now.normal_force, -now.shear_force},
-          {normal_secant(now, before, row), shear_secant(now, before, row)}};
+  return {{-now.normal_force, -now.shear_force}, {normal_secant(now, before, row), shear_secant(now, before, row)}};
 }
 
 }  // namespace ligament

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <cstdio>
 
 #include "core/parameters.hpp"
 #include "integrator/freedom_columns.hpp"
@@ -78,7 +76,6 @@ bool SecantRelaxation::find_directly(Increment& increment, const IncrementTarget
     increment.move(motion);
     if (increment.is_in_equilibrium()) return true;
     if (increment.is_exhausted() || increment.n_evaluations() > most_corrections) return false;
-    if (getenv("TRC")) fprintf(stderr, "step %ld ev %ld live %zu gauge %d time %g\n", increment.state().clock.step, increment.n_evaluations(), live_.size(), (int)!course.gauge.empty(), course.time);
     std::optional<std::vector<double>> next = correction(increment, course);
     if (!next) return false;
     motion = *std::move(next);

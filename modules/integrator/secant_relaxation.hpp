@@ -11,9 +11,9 @@ namespace ligament {
 /// stiffness they have in K. What these few have to carry, with the law of each and the flexibility of the structure
 /// between them, is solved apart (spring_equilibrium), and then answered by the whole,
 ///   u ← u + K⁻¹ (r - Σ b q) + Δt d,
-/// r the resultants of free bodies, q what the springs b of live contacts pull more than K makes of it. Under the control
-/// of a gauge the pseudo-time t is unknown as well; d is the answer to what a unit of time prescribes and loads. K is
-/// made anew when too many contacts have left it. What does not settle so is left to momenta.
+/// r the resultants of free bodies, q what the springs b of live contacts pull more than K makes of it. Under the
+/// control of a gauge the pseudo-time t is unknown as well; d is the answer to what a unit of time prescribes and
+/// loads. K is made anew when too many contacts have left it. What does not settle so is left to momenta.
 class SecantRelaxation : public EquilibriumSearch {
  public:
   void declare(Parameters& parameters) override;
@@ -49,8 +49,8 @@ class SecantRelaxation : public EquilibriumSearch {
   /// which the gauge comes if they kept to K.
   [[nodiscard]] SpringProblem live_problem(const Increment& increment, const std::vector<LooseContact>& loose,
                                            const std::vector<double>& half, double advance);
-  /// Holds the gauge where it is, whatever live springs pull: pseudo-time, so much for a unit of each (units/N), makes up
-  /// for it.
+  /// Holds the gauge where it is, whatever live springs pull: pseudo-time, so much for a unit of each (units/N), makes
+  /// up for it.
   std::vector<double> hold_gauge(const Course& course, const std::vector<double>& gauge_half,
                                  SpringProblem& problem) const;
   /// The next motion, and the pseudo-time that goes with it (units). Nothing if live contacts do not settle.

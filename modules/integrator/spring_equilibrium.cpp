@@ -58,7 +58,8 @@ class SpringRelaxation {
   [[nodiscard]] std::vector<double> excess() const { return {excess_.data(), excess_.data() + size_}; }
 
   void step() {
-    if (n_uses_ == most_uses || n_uses_ == 0 || (n_uses_ > 0 && (secants_ - used_ - stiffer * reference_).maxCoeff() > 0.0)) {
+    if (n_uses_ == most_uses || n_uses_ == 0 ||
+        (n_uses_ > 0 && (secants_ - used_ - stiffer * reference_).maxCoeff() > 0.0)) {
       make_mass();
     }
     ++n_uses_;
@@ -91,8 +92,8 @@ class SpringRelaxation {
         const Eigen::Index k = i + static_cast<Eigen::Index>(side);
         const auto row = static_cast<std::size_t>(k);
         secants_[k] = std::max(answer.secant[side], least_);
-        forces_[row] = excess_[k] - (answer.pull[side] - problem_.pull[row] -
-                                     reference_[k] * (stretch_[k] - problem_.stretch[row]));
+        forces_[row] = excess_[k] -
+                       (answer.pull[side] - problem_.pull[row] - reference_[k] * (stretch_[k] - problem_.stretch[row]));
       }
     }
   }

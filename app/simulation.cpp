@@ -98,15 +98,19 @@ void Simulation::step() {
 bool Simulation::increment() {
   const auto update_contacts = [this] { modules_.contact_detector->update(model_, state_); };
   update_contacts();
-  return modules_.loading->advance(model_, state_,
-                                   {.add_forces = [this] { add_forces(); },
-                                    .add_applied_loads = [this] { add_applied_loads(); },
-                                    .internal = [this] { return internal_forces(); },
-                                    .update_contacts = update_contacts,
-                                    .is_interrupted = is_interrupted_,
-                                    .stiffness = [this] { return stiffness(); },
-                                    .secants = [this](const ContactMemory& before) { return secants(before); },
-                                    .observer = observer_});
+  return modules_.loading->advance(
+      model_, state_,
+      {.add_forces = [this] { add_forces(); },
+       .add_applied_loads = [this] { add_applied_loads(); },
+       .internal = [this] { return internal_forces(); },
+       .update_contacts = update_contacts,
+       .is_interrupted = is_interrupted_,
+       .stiffness = [this] { return stiffness(); },
+       .secants = [this](const ContactMemory& before) { return secants(before); },
+       .loose_contacts = [this](const auto& before) { return loose_contacts(before); },
+       .try_contact = [this](const auto& before, std::size_t spring,
+                             const auto& stretch) { return try_contact(before, spring, stretch); },
+       .observer = observer_});
 }
 
 void Simulation::open_stages(std::size_t n_stages, std::size_t n_gauges) {
@@ -179,6 +183,25 @@ std::vector<double> Simulation::secants(const ContactMemory& before) const {
   std::vector<double> secants;
   for (const auto& provider : modules_.force_providers) provider->add_secants(model_, state_, before, secants);
   return secants;
+}
+
+std::vector<LooseContact> Simulation::loose_contacts(const ContactMemory& before) const {
+  std::vector<LooseContact> loose;
+  std::size_t first_spring = 0;
+  for (const auto& provider : modules_.force_providers) {
+    provider->add_loose_contacts(state_, before, first_spring, loose);
+    first_spring += provider->n_springs(model_, state_);
+  }
+  return loose;
+}
+
+SpringAnswer Simulation::try_contact(const ContactMemory& before, std::size_t spring, const SpringPair& stretch) const {
+  for (const auto& provider : modules_.force_providers) {
+    const std::size_t n_springs = provider->n_springs(model_, state_);
+    if (spring < n_springs) return provider->try_contact(model_, state_, before, spring, stretch);
+    spring -= n_springs;
+  }
+  throw std::logic_error("there is no such spring");
 }
 
 void Simulation::prepare_state() {

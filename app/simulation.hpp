@@ -87,6 +87,9 @@ class Simulation {
   void add_applied_loads();
   [[nodiscard]] ForceMagnitudes internal_forces() const;
   [[nodiscard]] std::vector<double> secants(const ContactMemory& before) const;
+  [[nodiscard]] std::vector<LooseContact> loose_contacts(const ContactMemory& before) const;
+  [[nodiscard]] SpringAnswer try_contact(const ContactMemory& before, std::size_t spring,
+                                         const SpringPair& stretch) const;
   void book_work();
 
   Model model_;

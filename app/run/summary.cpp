@@ -163,6 +163,8 @@ bool write_summary(const Case& input, const BuiltSimulation& built, const RunDir
   if (simulation.is_quasi_static()) {
     json["n_evaluations"] = simulation.state().loading.n_evaluations;
     json["n_factorisations"] = simulation.state().loading.n_factorisations;
+    json["n_relaxed_increments"] = simulation.state().loading.n_relaxed;
+    json["n_increments_without_control"] = simulation.state().loading.n_without_control;
   }
   if (const auto peak = peak_load(built)) json["peak_load_N"] = *peak;
   if (summary.motion_error) json["motion_error"] = *summary.motion_error;

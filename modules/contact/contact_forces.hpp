@@ -4,6 +4,7 @@
 
 #include "contact/contact_secants.hpp"
 #include "contact/contact_springs.hpp"
+#include "contact/contact_trial.hpp"
 #include "contact/law_ranges.hpp"
 #include "contact/pairings.hpp"
 #include "contact/shared_bodies.hpp"
@@ -35,9 +36,24 @@ class ContactForces : public ForceProvider {
                    std::vector<double>& stiffness) const override {
     const ContactTable& contacts = Pairing::table(state);
     for (std::size_t row = 0; row < contacts.size(); ++row) {
-      stiffness.push_back(normal_secant(contacts, Pairing::table(before), row));
-      stiffness.push_back(shear_secant(contacts, Pairing::table(before), row));
+      const ContactValues now = values_of(contacts, row);
+      stiffness.push_back(normal_secant(now, Pairing::table(before), row));
+      stiffness.push_back(shear_secant(now, Pairing::table(before), row));
     }
+  }
+
+  [[nodiscard]] std::size_t n_springs(const Model& /*model*/, const State& state) const override {
+    return 2 * Pairing::table(state).size();
+  }
+
+  void add_loose_contacts(const State& state, const ContactMemory& before, std::size_t first_spring,
+                          std::vector<LooseContact>& loose) const override {
+    ligament::add_loose_contacts(Pairing::table(state), Pairing::table(before), first_spring, loose);
+  }
+
+  [[nodiscard]] SpringAnswer try_contact(const Model& model, const State& state, const ContactMemory& before,
+                                         std::size_t spring, const SpringPair& stretch) const override {
+    return ligament::try_contact(model, Pairing::table(state), Pairing::table(before), spring / 2, stretch);
   }
 
   [[nodiscard]] ForceMagnitudes internal_forces(const Model& /*model*/, const State& state) const override {

@@ -9,33 +9,47 @@
 /// springs.
 namespace ligament {
 
-/// Whether the springs are whole: the bond is, or the bodies touch or press.
-inline bool is_whole(const ContactTable& contacts, std::size_t row) {
-  return contacts.bond[row] == BondState::bonded || contacts.opening[row] <= 0.0;
+/// A contact as far as its secants go.
+struct ContactValues {
+  double normal_stiffness = 0.0;
+  double shear_stiffness = 0.0;
+  BondState bond = BondState::unbonded;
+  double opening = 0.0;
+  ShearVector shear_displacement = 0.0;
+  double normal_force = 0.0;
+  ShearVector shear_force = 0.0;
+
+  /// Whether the contact slides on a law that bears no shear, as that of a tied wall does.
+  [[nodiscard]] bool is_smooth() const { return shear_force == 0.0 && shear_displacement != 0.0; }
+  /// Whether the springs are whole: the bond is, or the bodies touch or press.
+  [[nodiscard]] bool is_whole() const { return bond == BondState::bonded || opening <= 0.0; }
+};
+
+inline ContactValues values_of(const ContactTable& contacts, std::size_t row) {
+  return {contacts.normal_stiffness[row], contacts.shear_stiffness[row],    contacts.bond[row],
+          contacts.opening[row],          contacts.shear_displacement[row], contacts.normal_force[row],
+          contacts.shear_force[row]};
 }
 
 /// Of tension the secant from the reference gap, or, if that is stiffer, from where the contact was before, as it is on
 /// elastic unloading.
-inline double normal_secant(const ContactTable& contacts, const ContactMemory::Table& before, std::size_t row) {
-  const double elastic = contacts.normal_stiffness[row];
-  const double force = contacts.normal_force[row];
-  if (is_whole(contacts, row)) return elastic;
-  if (force == 0.0) return 0.0;
-  const double from_gap = -force / contacts.opening[row];
-  const double motion = contacts.opening[row] - before.opening[row];
-  const double since = motion < 0.0 ? (before.normal_force[row] - force) / motion : 0.0;
-  return std::clamp(std::max(from_gap, since), 0.0, elastic);
+inline double normal_secant(const ContactValues& now, const ContactMemory::Table& before, std::size_t row) {
+  if (now.is_whole()) return now.normal_stiffness;
+  if (now.normal_force == 0.0) return 0.0;
+  const double from_gap = -now.normal_force / now.opening;
+  const double motion = now.opening - before.opening[row];
+  const double since = motion < 0.0 ? (before.normal_force[row] - now.normal_force) / motion : 0.0;
+  return std::clamp(std::max(from_gap, since), 0.0, now.normal_stiffness);
 }
 
 /// The share of the spring's force that is not lost to slip.
-inline double shear_secant(const ContactTable& contacts, const ContactMemory::Table& before, std::size_t row) {
-  const double elastic = contacts.shear_stiffness[row];
-  if (contacts.bond[row] == BondState::bonded) return elastic;
-  const ShearVector slip = contacts.shear_displacement[row] - before.shear_displacement[row];
+inline double shear_secant(const ContactValues& now, const ContactMemory::Table& before, std::size_t row) {
+  const double elastic = now.shear_stiffness;
+  if (now.bond == BondState::bonded) return now.is_smooth() ? 0.0 : elastic;
+  const ShearVector slip = now.shear_displacement - before.shear_displacement[row];
   const double of_spring = std::abs(before.shear_force[row] - elastic * slip);
-  const double force = std::abs(contacts.shear_force[row]);
-  if (of_spring > 0.0) return elastic * std::min(1.0, force / of_spring);
-  return is_whole(contacts, row) || contacts.bond[row] == BondState::softening ? elastic : 0.0;
+  if (of_spring > 0.0) return elastic * std::min(1.0, std::abs(now.shear_force) / of_spring);
+  return now.is_whole() || now.bond == BondState::softening ? elastic : 0.0;
 }
 
 }  // namespace ligament

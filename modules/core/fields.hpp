@@ -116,15 +116,20 @@ void visit_fields(Table& table, Visitor&& visit) {
 
 template <TableOf<LoadingState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
-  auto& [step, direction_step, direction, peak_force, gauge_sign, secants, n_evaluations, n_factorisations] = table;
+  auto& [step, direction_step, direction, peak_force, gauge_sign, secants, places, secants_update, n_evaluations,
+         n_factorisations, n_relaxed, n_without_control] = table;
   visit("step", step, FieldRole::physics);
   visit("direction_step", direction_step, FieldRole::physics);
   visit("direction", direction, FieldRole::physics);
   visit("peak_force", peak_force, FieldRole::physics);
   visit("gauge_sign", gauge_sign, FieldRole::physics);
   visit("secants", secants, FieldRole::physics);
+  visit("places", places, FieldRole::physics);
+  visit("secants_update", secants_update, FieldRole::physics);
   visit("n_evaluations", n_evaluations, FieldRole::physics);
   visit("n_factorisations", n_factorisations, FieldRole::physics);
+  visit("n_relaxed", n_relaxed, FieldRole::physics);
+  visit("n_without_control", n_without_control, FieldRole::physics);
 }
 
 template <TableOf<CrackState> Table, class Visitor>

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/contact_memory.hpp"
+#include "core/contact_trial.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 #include "core/stiffness_bounds.hpp"
@@ -55,6 +56,21 @@ class ForceProvider : public EnergySource {
   /// from where it has none, `before` being what contacts remember. It lies between 0 and the elastic one.
   virtual void add_secants(const Model& /*model*/, const State& /*state*/, const ContactMemory& /*before*/,
                            std::vector<double>& /*stiffness*/) const {}
+
+  /// How many springs assemble() adds.
+  [[nodiscard]] virtual std::size_t n_springs(const Model& /*model*/, const State& /*state*/) const { return 0; }
+
+  /// Adds its contacts whose bonds are not whole; its springs are numbered from `first_spring` on.
+  virtual void add_loose_contacts(const State& /*state*/, const ContactMemory& /*before*/, std::size_t /*first_spring*/,
+                                  std::vector<LooseContact>& /*loose*/) const {}
+
+  /// What one of them, named by its normal spring among those of this provider, would answer to a stretch since
+  /// `before`.
+  [[nodiscard]] virtual SpringAnswer try_contact(const Model& /*model*/, const State& /*state*/,
+                                                 const ContactMemory& /*before*/, std::size_t /*spring*/,
+                                                 const SpringPair& /*stretch*/) const {
+    return {};
+  }
 
   /// The forces that say how large an unbalanced force is: those of contacts; those of elements where there are no
   /// particles.

@@ -128,14 +128,19 @@ struct CrackState {
 
 /// What quasi-static loading in increments remembers.
 struct LoadingState {
-  double step = 0.0;                  ///< the last increment, of pseudo-time (s) or of a gauge; 0 before the first
-  double direction_step = 0.0;        ///< that of the increment whose motion is extrapolated (s)
-  Field<double> direction;            ///< that motion, all freedoms in one column
-  double peak_force = 0.0;            ///< largest external force so far (N)
-  double gauge_sign = 0.0;            ///< the way in which a gauge is followed in the stage under way; 0 before that
-  Field<double> secants;              ///< of the springs of all contacts, of the last equilibrium (N/m)
-  std::int64_t n_evaluations = 0;     ///< of the forces, in all increments so far
-  std::int64_t n_factorisations = 0;  ///< of stiffness matrices
+  double step = 0.0;            ///< the last increment, of pseudo-time (s) or of a gauge; 0 before the first
+  double direction_step = 0.0;  ///< that of the increment whose motion is extrapolated (s)
+  Field<double> direction;      ///< that motion, all freedoms in one column
+  double peak_force = 0.0;      ///< largest external force so far (N)
+  double gauge_sign = 0.0;      ///< the way in which a gauge is followed in the stage under way; 0 before that
+  // The stiffness matrix in use.
+  Field<double> secants;               ///< of the springs of all contacts (N/m)
+  Field<double> places;                ///< displacements of all freedoms for which it was made (m, rad)
+  std::int64_t secants_update = 0;     ///< SearchState::n_updates of the contacts it is of
+  std::int64_t n_evaluations = 0;      ///< of the forces, in all increments so far
+  std::int64_t n_factorisations = 0;   ///< of stiffness matrices
+  std::int64_t n_relaxed = 0;          ///< increments that a direct search left to relaxation
+  std::int64_t n_without_control = 0;  ///< increments in which a gauge could not be followed
 };
 
 /// What adaptive damping remembers: the internal forces of the step before.

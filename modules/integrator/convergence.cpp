@@ -33,12 +33,16 @@ double Unbalance::ratio() const {
   return mean_force > 0.0 ? largest_resultant / mean_force : std::numeric_limits<double>::infinity();
 }
 
+double largest_resultant(const Model& model, const State& state) {
+  return std::max({largest_resultant(state.particles.translation, model.particles.free),
+                   largest_resultant(state.nodes.translation, model.nodes.free),
+                   largest_resultant(state.beam_nodes.translation, model.beam_nodes.free),
+                   largest_moment(state.particles.rotation, model.particles.rotation_free, model.particles.radius),
+                   largest_moment(state.beam_nodes.rotation, model.beam_nodes.rotation_free, model.beam_nodes.lever)});
+}
+
 Unbalance measure_unbalance(const Model& model, const State& state, const ForceMagnitudes& internal_forces) {
-  return {std::max({largest_resultant(state.particles.translation, model.particles.free),
-                    largest_resultant(state.nodes.translation, model.nodes.free),
-                    largest_resultant(state.beam_nodes.translation, model.beam_nodes.free),
-                    largest_moment(state.particles.rotation, model.particles.rotation_free, model.particles.radius),
-                    largest_moment(state.beam_nodes.rotation, model.beam_nodes.rotation_free, model.beam_nodes.lever)}),
+  return {largest_resultant(model, state),
           internal_forces.count > 0.0 ? internal_forces.sum / internal_forces.count : 0.0};
 }
 

@@ -13,6 +13,9 @@ struct Unbalance {
   [[nodiscard]] double ratio() const;
 };
 
+/// Over free bodies, moments over the radius included (N); infinite if one is not a number.
+double largest_resultant(const Model& model, const State& state);
+
 Unbalance measure_unbalance(const Model& model, const State& state, const ForceMagnitudes& internal_forces);
 
 }  // namespace ligament

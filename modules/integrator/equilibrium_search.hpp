@@ -26,6 +26,9 @@ class EquilibriumSearch {
   /// Whether it starts from the motion of an increment before; of a stage that begins, that of a small one.
   [[nodiscard]] virtual bool extrapolates() const = 0;
 
+  /// An increment that takes more evaluations of the forces holds a jump, which will not come again.
+  [[nodiscard]] virtual std::int64_t most_evaluations_of_smooth_increment() const = 0;
+
   /// Whether it can follow a gauge.
   [[nodiscard]] virtual bool follows_gauges() const { return false; }
 

@@ -91,6 +91,10 @@ std::vector<double> free_mask(const Model& model) {
   return column;
 }
 
+std::vector<double> all_displacements(const Model& model, const State& state) {
+  return all_column(model, state, &TranslationState::displacement, &RotationState::rotation);
+}
+
 std::vector<double> all_forces(const Model& model, const State& state) {
   return all_column(model, state, &TranslationState::force, &RotationState::moment);
 }
@@ -142,6 +146,17 @@ void move_bodies(const std::vector<double>& motion, State& state) {
       if (table == BodyTable::node) continue;
       rotation.rotation[i] += motion[next];
       rotation.increment[i] += motion[next++];
+    }
+  });
+}
+
+void set_displacements(const std::vector<double>& places, State& state) {
+  std::size_t next = 0;
+  visit_tables([&](BodyTable table) {
+    TranslationState& bodies = translation_of(state, table);
+    for (std::size_t i = 0; i < bodies.displacement.size(); ++i) {
+      for (int axis = 0; axis < dimension; ++axis) set_component(bodies.displacement[i], axis, places[next++]);
+      if (table != BodyTable::node) rotation_of(state, table).rotation[i] = places[next++];
     }
   });
 }

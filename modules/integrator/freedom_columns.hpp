@@ -11,7 +11,8 @@ namespace ligament {
 
 /// 1 where a freedom is free, else 0.
 std::vector<double> free_mask(const Model& model);
-/// Forces and u(n) - u(n-1) of all freedoms, prescribed ones too.
+/// Displacements, forces and u(n) - u(n-1) of all freedoms, prescribed ones too.
+std::vector<double> all_displacements(const Model& model, const State& state);
 std::vector<double> all_forces(const Model& model, const State& state);
 std::vector<double> all_increments(const Model& model, const State& state);
 
@@ -29,6 +30,9 @@ std::vector<double> inverse_masses(const Model& model, const State& state);
 
 /// Adds a motion of all freedoms to displacements and increments.
 void move_bodies(const std::vector<double>& motion, State& state);
+
+/// Puts displacements of all freedoms in the place of those that are there.
+void set_displacements(const std::vector<double>& places, State& state);
 
 /// Moves v(n+½) of all bodies to v(n-½), and gives the free freedoms their new one; prescribed ones keep it until a
 /// constraint sets it.

@@ -173,10 +173,15 @@ bool Increment::is_in_equilibrium() {
                    });
   const double peak = std::max(state_.loading.peak_force, through_force_);
   if (!(norm(lacking) <= criterion_.force_mismatch * peak)) return false;
-  const Unbalance unbalance = measure_unbalance(model_, state_, evaluation_.internal());
+  return largest_resultant(model_, state_) <= force_tolerance();
+}
+
+double Increment::force_tolerance() const {
+  const ForceMagnitudes internal = evaluation_.internal();
+  const double mean_force = internal.count > 0.0 ? internal.sum / internal.count : 0.0;
+  const double peak = std::max(state_.loading.peak_force, through_force_);
   // What has come apart carries hardly any force to compare with.
-  return unbalance.largest_resultant <=
-         criterion_.unbalanced_ratio * std::max(unbalance.mean_force, criterion_.force_mismatch * peak);
+  return criterion_.unbalanced_ratio * std::max(mean_force, criterion_.force_mismatch * peak);
 }
 
 }  // namespace ligament

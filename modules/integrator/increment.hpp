@@ -28,6 +28,9 @@ struct ForceEvaluation {
   std::function<StiffnessSum()> stiffness;    ///< of elements and contacts
   /// See ForceProvider::add_secants().
   std::function<std::vector<double>(const ContactMemory& before)> secants;
+  /// See ForceProvider::add_loose_contacts() and try_contact(); springs are numbered as in `stiffness`.
+  std::function<std::vector<LooseContact>(const ContactMemory& before)> loose_contacts;
+  std::function<SpringAnswer(const ContactMemory& before, std::size_t spring, const SpringPair& stretch)> try_contact;
   IncrementObserver observer = {};
 };
 
@@ -67,10 +70,15 @@ class Increment {
   void observe(bool is_observed) { is_observed_ = is_observed; }
   /// Lets it look, if it is time, at this kinetic energy (J).
   void show(double kinetic_energy) const;
+  /// Whether the bodies are in equilibrium at this evaluation.
+  [[nodiscard]] bool is_in_equilibrium();
+  /// The largest resultant that equilibrium allows (N).
+  [[nodiscard]] double force_tolerance() const;
   /// Whether the bodies have been in equilibrium in this and the evaluations before, as many as it takes.
   [[nodiscard]] bool has_settled();
   /// Whether the search is to be given up.
   [[nodiscard]] bool is_exhausted() const;
+  [[nodiscard]] bool is_interrupted() const { return evaluation_.is_interrupted(); }
 
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] State& state() { return state_; }
@@ -90,6 +98,10 @@ class Increment {
   /// Stiffness of elements and of springs of contacts, and the secants of the latter; see ForceProvider.
   [[nodiscard]] StiffnessSum stiffness() const { return evaluation_.stiffness(); }
   [[nodiscard]] std::vector<double> secants() const { return evaluation_.secants(start_.contacts); }
+  [[nodiscard]] std::vector<LooseContact> loose_contacts() const { return evaluation_.loose_contacts(start_.contacts); }
+  [[nodiscard]] SpringAnswer try_contact(std::size_t spring, const SpringPair& stretch) const {
+    return evaluation_.try_contact(start_.contacts, spring, stretch);
+  }
   /// At the last equilibrium.
   [[nodiscard]] const std::vector<double>& start_forces() const { return start_.forces; }
   [[nodiscard]] const std::vector<double>& start_loads() const { return start_.loads; }
@@ -111,7 +123,6 @@ class Increment {
   void clear_increments();
   void move_live(const std::vector<double>& motion);
   [[nodiscard]] std::vector<double> applied_loads();
-  [[nodiscard]] bool is_in_equilibrium();
 
   const Model& model_;
   State& state_;

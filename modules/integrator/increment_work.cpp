@@ -26,7 +26,7 @@ ForceWork line_work(Increment& increment, const std::vector<double>& motion, con
   const double scale = std::abs(state.ledger.total(ledger_lines::prescribed_motions)) +
                        std::abs(state.ledger.total(ledger_lines::applied_loads)) + std::abs(end.of_prescribed()) +
                        std::abs(end.of_loads);
-  constexpr double tolerance = 1e-6;
+  constexpr double tolerance = 1e-5;
   const auto internal = [](const ForceWork& value) { return value.of_internal(); };
   const ForceWork work = line_integral(begin, end, rate_at, internal, fewest_intervals, tolerance * scale);
   state.clock.time = time;

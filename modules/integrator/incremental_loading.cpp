@@ -11,9 +11,6 @@
 namespace ligament {
 namespace {
 
-/// Most of what may be extrapolated: an increment that took more evaluations held a jump, which will not come again.
-constexpr std::int64_t most_evaluations_of_smooth_increment = 150;
-
 /// An increment that does not settle is tried again with this share of it.
 constexpr double cut = 0.3;
 
@@ -66,7 +63,8 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
   Increment increment(model, state, evaluation, criterion_, freedoms_);
   const Segment segment = segment_at(state);
   IncrementTarget target = wanted_target(state);
-  const double wanted = target.step;
+  const bool is_gauged = !target.gauge.empty();
+  double wanted = target.step;
   // After a cut the way back to the wanted increment is taken in strides.
   if (state.loading.step > 0.0) target.step = std::min(wanted, 2.0 * state.loading.step);
   if (search_->extrapolates() && state.loading.direction.empty()) find_direction(increment, wanted);
@@ -78,12 +76,21 @@ bool IncrementalLoading::advance(const Model& model, State& state, const ForceEv
       target.step *= cut;
       continue;
     }
+    if (!target.gauge.empty()) {
+      // Where the gauge cannot be followed the motions go on by time.
+      target = {.step = target.usual_time};
+      wanted = target.step;
+      continue;
+    }
     increment.go_live();
     if (search_->find_live(increment, target.step)) break;
     increment.restore();
     return false;
   }
-  accept(increment, target.step);
+  if (is_gauged && target.gauge.empty()) ++state.loading.n_without_control;
+  accept(increment);
+  // What is of time is no measure for the next increment of a gauge.
+  state.loading.step = is_gauged && target.gauge.empty() ? 0.0 : target.step;
   // Beyond a corner everything moves another way.
   if (segment_at(state).begin > segment.begin) begin_segment(state);
   return true;
@@ -152,14 +159,14 @@ IncrementTarget IncrementalLoading::wanted_target(const State& state) const {
   return {.step = step > (1.0 - 1e-9) * left ? left : step};
 }
 
-void IncrementalLoading::accept(Increment& increment, double step) {
+void IncrementalLoading::accept(Increment& increment) {
   State& state = increment.state();
   LoadingState& loading = state.loading;
-  const bool is_smooth = increment.n_evaluations() <= most_evaluations_of_smooth_increment;
+  const bool is_smooth = increment.n_evaluations() <= search_->most_evaluations_of_smooth_increment();
+  const double step = state.clock.time - increment.start_time();
   if (loading.direction.empty() || is_smooth) remember_direction(increment, step, loading);
   // A bond that breaks on the way of a jump is a narrow peak, which few intervals may step over.
   book_increment_work(increment, is_smooth ? 2 : 64);
-  loading.step = step;
   loading.peak_force = std::max(loading.peak_force, increment.through_force());
   loading.n_evaluations += increment.n_evaluations();
   ++state.clock.step;

@@ -51,7 +51,7 @@ class IncrementalLoading : public EnergySource {
   [[nodiscard]] IncrementTarget wanted_target(const State& state) const;
   /// Up to the end of the segment (s).
   [[nodiscard]] double time_left(const State& state) const;
-  static void accept(Increment& increment, double step);
+  void accept(Increment& increment);
 
   // Parameters.
   double increment_ = 0.0;        ///< of the fastest prescribed motion (m)

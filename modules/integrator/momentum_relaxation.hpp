@@ -15,6 +15,7 @@ class MomentumRelaxation : public EquilibriumSearch {
   /// Makes the masses, from those of the state.
   void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) override;
   [[nodiscard]] bool extrapolates() const override { return true; }
+  [[nodiscard]] std::int64_t most_evaluations_of_smooth_increment() const override { return 150; }
   bool find(Increment& increment, const IncrementTarget& target) override;
   bool find_live(Increment& increment, double step) override;
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <map>
 
 namespace ligament {
 namespace {
@@ -36,6 +37,10 @@ struct SparseStiffness::Factors {
   std::vector<std::size_t> places;  ///< in the values of the matrix, of all entries as they are visited
   std::vector<Index> joined;        ///< freedoms of all springs, one after the other
   Eigen::SimplicialLDLT<Matrix> decomposition;
+  Eigen::VectorXd scale;  ///< D^-½
+  // Scratch.
+  std::vector<double> work;
+  std::vector<char> is_seen;
 
   [[nodiscard]] bool fits(const StiffnessSum& stiffness) const {
     std::size_t next = 0;
@@ -75,22 +80,67 @@ void SparseStiffness::factorise(const StiffnessSum& stiffness, const std::vector
   std::fill_n(values, matrix.nonZeros(), 0.0);
   std::size_t next = 0;
   visit_entries(stiffness, free, [&](Index, Index, double value) { values[factors_->places[next++]] += value; });
-  diagonal_.assign(free.size(), 1.0);
   double largest = 0.0;
   for (Eigen::Index i = 0; i < matrix.cols(); ++i) largest = std::max(largest, matrix.coeff(i, i));
   for (Eigen::Index i = 0; i < matrix.cols(); ++i) {
     double& value = matrix.coeffRef(i, i);
     value = free[static_cast<std::size_t>(i)] != 0.0 ? value + 1e-10 * largest : 1.0;
-    diagonal_[static_cast<std::size_t>(i)] = value;
   }
   factors_->decomposition.factorize(matrix);
+  factors_->scale = factors_->decomposition.vectorD().cwiseSqrt().cwiseInverse();
 }
 
-std::vector<double> SparseStiffness::solve(const std::vector<double>& forces) const {
+std::vector<double> SparseStiffness::half(const std::vector<double>& forces) const {
   const Eigen::Map<const Eigen::VectorXd> right(forces.data(), static_cast<Eigen::Index>(forces.size()));
-  std::vector<double> motion(forces.size());
-  Eigen::Map<Eigen::VectorXd>(motion.data(), right.size()) = factors_->decomposition.solve(right);
+  std::vector<double> half(forces.size());
+  Eigen::Map<Eigen::VectorXd> left(half.data(), right.size());
+  left = factors_->decomposition.permutationP() * right;
+  factors_->decomposition.matrixL().solveInPlace(left);
+  left = left.cwiseProduct(factors_->scale);
+  return half;
+}
+
+std::vector<double> SparseStiffness::back(std::vector<double> half) const {
+  Eigen::Map<Eigen::VectorXd> right(half.data(), static_cast<Eigen::Index>(half.size()));
+  right = right.cwiseProduct(factors_->scale);
+  factors_->decomposition.matrixU().solveInPlace(right);
+  std::vector<double> motion(half.size());
+  Eigen::Map<Eigen::VectorXd>(motion.data(), right.size()) = factors_->decomposition.permutationPinv() * right;
   return motion;
+}
+
+SparseStiffness::SparseHalf SparseStiffness::half(std::span<const SpringTerm> forces) const {
+  // Elimination hands on what reaches a freedom to the first one below it in its column of L, and so on.
+  const Matrix& lower = factors_->decomposition.matrixL().nestedExpression();
+  const auto& order = factors_->decomposition.permutationP().indices();
+  std::map<int, double> start;
+  for (const SpringTerm& term : forces) start[order[term.freedom]] += term.factor;
+  SparseHalf half;
+  std::vector<double>& work = factors_->work;
+  std::vector<char>& is_seen = factors_->is_seen;
+  work.resize(static_cast<std::size_t>(lower.cols()), 0.0);
+  is_seen.resize(work.size(), 0);
+  for (const auto& [place, value] : start) {
+    work[static_cast<std::size_t>(place)] = value;
+    for (int i = place; is_seen[static_cast<std::size_t>(i)] == 0;) {
+      is_seen[static_cast<std::size_t>(i)] = 1;
+      half.places.push_back(static_cast<Index>(i));
+      const int first = lower.outerIndexPtr()[i];
+      if (first == lower.outerIndexPtr()[i + 1]) break;
+      i = lower.innerIndexPtr()[first];
+    }
+  }
+  std::sort(half.places.begin(), half.places.end());
+  for (const Index place : half.places) {
+    const double value = work[static_cast<std::size_t>(place)];
+    for (int k = lower.outerIndexPtr()[place]; k < lower.outerIndexPtr()[place + 1]; ++k) {
+      work[static_cast<std::size_t>(lower.innerIndexPtr()[k])] -= lower.valuePtr()[k] * value;
+    }
+    half.values.push_back(value * factors_->scale[place]);
+    work[static_cast<std::size_t>(place)] = 0.0;
+    is_seen[static_cast<std::size_t>(place)] = 0;
+  }
+  return half;
 }
 
 }  // namespace ligament

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/stiffness_sum.hpp"
@@ -19,14 +20,23 @@ class SparseStiffness {
   /// of the diagonal.
   void factorise(const StiffnessSum& stiffness, const std::vector<double>& free);
   /// K⁻¹ f for the free freedoms.
-  [[nodiscard]] std::vector<double> solve(const std::vector<double>& forces) const;
-  /// Of K; 1 for prescribed freedoms.
-  [[nodiscard]] const std::vector<double>& diagonal() const { return diagonal_; }
+  [[nodiscard]] std::vector<double> solve(const std::vector<double>& forces) const { return back(half(forces)); }
+
+  /// z = D^-½ L⁻¹ f, half of a solution: f·K⁻¹ g = z(f)·z(g).
+  [[nodiscard]] std::vector<double> half(const std::vector<double>& forces) const;
+  /// The other half: K⁻¹ f from z.
+  [[nodiscard]] std::vector<double> back(std::vector<double> half) const;
+
+  /// The same half for forces on few freedoms: what is not zero in it, places ascending.
+  struct SparseHalf {
+    std::vector<Index> places;
+    std::vector<double> values;
+  };
+  [[nodiscard]] SparseHalf half(std::span<const SpringTerm> forces) const;
 
  private:
   struct Factors;
   std::unique_ptr<Factors> factors_;
-  std::vector<double> diagonal_;
 };
 
 }  // namespace ligament

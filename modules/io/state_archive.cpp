@@ -27,20 +27,23 @@ struct IsField<Field<T>> : std::true_type {
   static_assert(std::is_trivially_copyable_v<T>);
 };
 
-/// Tables whose number of rows changes during a run. Secants are those of the contacts of the last equilibrium; whoever
-/// uses them asks whether they still fit.
+/// Tables whose number of rows changes during a run. Secants are those of the contacts that a stiffness matrix
+/// was made of; whoever uses them asks whether they still fit.
 bool is_contact_field(const std::string& name) {
   return (name.find("_contacts.") != std::string::npos && name.find(".law_begin") == std::string::npos) ||
          name == "loading.secants";
 }
 
-/// Memory of adaptive damping stays empty until it is used.
-bool may_be_empty(const std::string& name) { return name.rfind("relaxation.", 0) == 0 || name == "loading.direction"; }
+/// Memory of adaptive damping and of loading stays empty until it is used.
+bool may_be_empty(const std::string& name) {
+  return name.rfind("relaxation.", 0) == 0 || name == "loading.direction" || name == "loading.places";
+}
 
 std::uint64_t wanted_length(const std::string& name, std::uint64_t built, const Model& model) {
   if (name == "relaxation.node_force") return model.nodes.size();
   if (name == "relaxation.beam_force" || name == "relaxation.beam_moment") return model.beam_nodes.size();
-  if (name == "relaxation.momentum" || name == "relaxation.force" || name == "loading.direction")
+  if (name == "relaxation.momentum" || name == "relaxation.force" || name == "loading.direction" ||
+      name == "loading.places")
     return FreedomNumbers(model).count();
   if (may_be_empty(name)) return model.particles.size();
   return built;

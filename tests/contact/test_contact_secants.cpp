@@ -28,8 +28,12 @@ ContactMemory::Table memory_of(const ContactTable& table) {
   return memory;
 }
 
-double normal(const ContactTable& now, const ContactTable& before) { return normal_secant(now, memory_of(before), 0); }
-double shear(const ContactTable& now, const ContactTable& before) { return shear_secant(now, memory_of(before), 0); }
+double normal(const ContactTable& now, const ContactTable& before) {
+  return normal_secant(values_of(now, 0), memory_of(before), 0);
+}
+double shear(const ContactTable& now, const ContactTable& before) {
+  return shear_secant(values_of(now, 0), memory_of(before), 0);
+}
 
 }  // namespace
 
@@ -56,4 +60,11 @@ TEST_CASE("shear secants: what slip leaves of the spring") {
   CHECK(shear(contact(softening, 0.5, -1.0, 0.25, -0.75), contact(softening, 0.5, -1.0, 0.0, -0.5)) == 1.5);
   CHECK(shear(contact(softening, 0.5, -1.0), contact(softening, 0.5, -1.0)) == 2.0);
   CHECK(shear(contact(broken, 0.5, 0.0), contact(broken, 0.5, 0.0)) == 0.0);
+}
+
+TEST_CASE("a contact that slides and bears no shear has no shear secant") {
+  using enum BondState;
+  const ContactTable rest = contact(bonded, 0.0, 0.0);
+  CHECK(shear(rest, rest) == 2.0);
+  CHECK(shear(contact(bonded, 0.1, -0.4, 0.25, 0.0), rest) == 0.0);
 }

@@ -79,3 +79,25 @@ TEST_CASE("a freedom that has lost its stiffness does not stop the others") {
   CHECK(motion[0] == 0.0);
   CHECK(chain.sum.times(motion)[4] == doctest::Approx(1.0).epsilon(1e-6));
 }
+
+TEST_CASE("halves of two answers multiply to the work of one force on the answer to the other") {
+  Chain chain;
+  const std::vector<double> free = free_mask(chain.model);
+  SparseStiffness matrix;
+  matrix.factorise(chain.sum, free);
+  const std::vector<SpringTerm> few{{0, 1.0}, {4, -2.0}};
+  std::vector<double> force(free.size(), 0.0);
+  for (const SpringTerm& term : few) force[term.freedom] = term.factor;
+  std::vector<double> other(free.size(), 0.0);
+  other[3] = 3.0;
+  other[10] = 1.0;
+  const std::vector<double> half = matrix.half(other);
+  const SparseStiffness::SparseHalf sparse = matrix.half(few);
+  double work = 0.0;
+  for (std::size_t k = 0; k < sparse.places.size(); ++k) work += sparse.values[k] * half[sparse.places[k]];
+  CHECK(work == doctest::Approx(product(force, matrix.solve(other))));
+  const std::vector<double> dense = matrix.half(force);
+  for (std::size_t k = 0; k < sparse.places.size(); ++k) {
+    CHECK(sparse.values[k] == doctest::Approx(dense[sparse.places[k]]));
+  }
+}

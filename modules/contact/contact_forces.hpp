@@ -124,7 +124,7 @@ class ContactForces : public ForceProvider {
     for (std::size_t i = 0; i < block.size();) {
       const Index first = contacts.first[block.begin + i];
       const bool waits = before.may_include(kind, first);
-      EndForce sum = force_on(state, kind, first);
+      EndForce sum = waits ? EndForce{} : force_on(state, kind, first);
       for (; i < block.size() && contacts.first[block.begin + i] == first; ++i) {
         if (waits) {
           part.waiting.push_back({kind, first, forces.at(0, i)});

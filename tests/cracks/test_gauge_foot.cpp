@@ -70,7 +70,7 @@ TEST_CASE("a small particle that hangs loose counts by its area") {
 }
 
 TEST_CASE(
-    "under a foot that stands on nothing there are no bodies; one particle carries the place without turning it") {
+    "under a foot that stands on nothing there are no bodies, and one particle carries the place without turning it") {
   Model model = empty_model();
   CHECK(bodies_under_foot(model, {0.0, 0.0}, {1.0, 0.0}, 1.0, 0).empty());
   add_particle(model, {-0.3, 0.2}, 0.1);

@@ -6,8 +6,9 @@
 namespace ligament {
 namespace {
 
-const std::vector<std::string> columns{"time_s",   "x_m",  "y_m",      "normal_x",  "normal_y",  "length_m", "mode",
-                                       "energy_J", "kind", "first_id", "second_id", "opening_m", "slip_m"};
+const std::vector<std::string> crack_columns{"time_s",    "x_m",       "y_m",      "normal_x", "normal_y",
+                                             "length_m",  "mode",      "energy_J", "kind",     "first_id",
+                                             "second_id", "opening_m", "slip_m"};
 
 constexpr const char* shear_word = "shear";
 
@@ -54,12 +55,12 @@ void append_row(CsvTable& table, const Model& model, const State& state, const c
 }  // namespace
 
 CrackRecord::CrackRecord(const std::filesystem::path& path, Simulation& simulation)
-    : table_(CsvTable::create(path, columns)) {
+    : table_(CsvTable::create(path, crack_columns)) {
   observe(simulation);
 }
 
 CrackRecord::CrackRecord(const std::filesystem::path& path, const Simulation& simulation, std::int64_t resumed_step)
-    : table_(CsvTable::resume(path, columns, resumed_step)),
+    : table_(CsvTable::resume(path, crack_columns, resumed_step)),
       known_{broken_pairs(simulation.state().particle_contacts), broken_pairs(simulation.state().facet_contacts),
              broken_pairs(simulation.state().corner_contacts)},
       n_updates_(simulation.state().search.n_updates) {}

@@ -9,7 +9,7 @@
 namespace ligament {
 namespace {
 
-constexpr std::size_t n_columns = dimension + 1;
+constexpr std::size_t numbers_per_row = dimension + 1;
 
 /// The text up to the next separator, which is taken away with it.
 std::string_view take_until(std::string_view& rest, char separator) {
@@ -27,7 +27,7 @@ std::string_view take_line(std::string_view& rest) {
 }
 
 /// The numbers of a row; false if it does not consist of that many numbers.
-bool parse_row(std::string_view line, std::array<double, n_columns>& numbers) {
+bool parse_row(std::string_view line, std::array<double, numbers_per_row>& numbers) {
   for (double& number : numbers) {
     const std::string_view cell = take_until(line, ',');
     const char* const end = cell.data() + cell.size();
@@ -46,7 +46,7 @@ Packing read_discs_csv(std::string_view content, const std::filesystem::path& pa
                                  path.string(), discs_csv_header, header.substr(0, 40)));
   }
   Packing packing;
-  std::array<double, n_columns> numbers{};
+  std::array<double, numbers_per_row> numbers{};
   while (!content.empty()) {
     const std::string_view line = take_line(content);
     if (!parse_row(line, numbers)) {

@@ -14,9 +14,6 @@ struct FreeUnit {
 struct FreeConverter {
   void operator()(cv_converter* converter) const { cv_free(converter); }
 };
-struct FreeSystem {
-  void operator()(ut_system* system) const { ut_free_system(system); }
-};
 
 using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 using Converter = std::unique_ptr<cv_converter, FreeConverter>;
@@ -34,6 +31,9 @@ bool have_same_dimension(const Unit& a, const Unit& b) {
 }  // namespace
 
 struct UnitSystem::Handles {
+  struct FreeSystem {
+    void operator()(ut_system* freed) const { ut_free_system(freed); }
+  };
   std::unique_ptr<ut_system, FreeSystem> system;
 };
 

@@ -40,8 +40,8 @@ constexpr std::array dimensions{
 
 const Dimension* dimension_of(std::string_view unit) {
   const UnitSystem& system = UnitSystem::instance();
-  for (const Dimension& dimension : dimensions) {
-    if (system.same_dimension(dimension.unit, unit)) return &dimension;
+  for (const Dimension& candidate : dimensions) {
+    if (system.same_dimension(candidate.unit, unit)) return &candidate;
   }
   return nullptr;
 }
@@ -155,8 +155,8 @@ double to_si(std::string_view text, std::string_view unit) {
   }
   const std::optional<double> factor = system.factor(quantity.unit, unit);
   if (!factor) {
-    const Dimension* dimension = dimension_of(unit);
-    const std::string what = dimension != nullptr ? dimension->name : fmt::format("measured in {}", unit);
+    const Dimension* measured = dimension_of(unit);
+    const std::string what = measured != nullptr ? measured->name : fmt::format("measured in {}", unit);
     throw UnitError(fmt::format("'{}' is not {}: expected {}", text, what, expected_quantity(unit)));
   }
   const double value = scaled(quantity.number, *factor);
@@ -173,8 +173,8 @@ std::string shortest(double value) {
 std::string si_text(double value, std::string_view unit) { return fmt::format("{} {}", shortest(value), unit); }
 
 std::string example_quantity(std::string_view unit) {
-  const Dimension* dimension = dimension_of(unit);
-  return dimension != nullptr ? dimension->example : fmt::format("1 {}", unit);
+  const Dimension* measured = dimension_of(unit);
+  return measured != nullptr ? measured->example : fmt::format("1 {}", unit);
 }
 
 std::string expected_quantity(std::string_view unit) {

@@ -2,7 +2,8 @@
 import csv
 import math
 
-from arrea_targets import (DEPTH, LAST_SLIDING, NOTCH_DEPTH, REFERENCE, SLOPE_FROM, SLOPE_TO, ZONE_HALF_WIDTH)
+from arrea_targets import (DEPTH, LAST_SLIDING, LEFT_SUPPORT, NOTCH_DEPTH, OUTER_PLATEN, REFERENCE, SLOPE_FROM, SLOPE_TO,
+                           THICKNESS, ZONE_HALF_WIDTH)
 from beam_crack import broken_contacts, contacts_of
 from validation import PAGES, Run, run_case
 
@@ -65,6 +66,15 @@ class MixedBeam:
         places = (middle(one, other) for one, other, _, _ in broken_contacts(self.run))
         xs = [x for x, y in places if y > DEPTH - TOP_STRIP]
         return sum(xs) / len(xs) if xs else math.nan
+
+    def breaks_over_left_support(self):
+        """Whether the crack that comes to the top does so on the side of the outer platen: in bending."""
+        return self.end_at_top() < 0.0
+
+    def bending_stress_over_left_support(self):
+        """The largest that beam theory gives for the outer platen's load (Pa)."""
+        outer = max(row["total_load_N"] - row["load_N"] for row in self.rows)
+        return outer * (LEFT_SUPPORT - OUTER_PLATEN) * 6.0 / (THICKNESS * DEPTH**2)
 
     def height_of_crack(self):
         """The highest broken bond (m)."""

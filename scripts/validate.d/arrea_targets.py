@@ -15,7 +15,8 @@ SLOPE_TOLERANCE = 0.05
 
 LOWEST_PEAK, HIGHEST_PEAK = 80.0, 140.0  # kN, mean of the seeds
 
-NOTCH_DEPTH, DEPTH = 82e-3, 306e-3  # m
+NOTCH_DEPTH, DEPTH, THICKNESS = 82e-3, 306e-3, 156e-3  # m
+OUTER_PLATEN, LEFT_SUPPORT = -458e-3, -61e-3  # m, x
 LEAST_ANGLE, LARGEST_ANGLE = 35.0, 45.0  # degrees from the vertical, at the tip of the notch
 LEAST_END, LARGEST_END = 75e-3, 100e-3  # m, x of the crack at the top
 ZONE_HALF_WIDTH = 0.15  # m

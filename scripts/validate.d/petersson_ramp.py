@@ -21,7 +21,7 @@ def ramp_case(velocity, rise_time):
     text = (ROOT / "config" / "petersson_beam.toml").read_text()
     text = replaced(text, 'displacement = "-1.2 mm"\nstop_time = "1 s"',
                     f'velocity = "-{velocity} nm/s"\nrise_time = "{rise_time} s"')
-    text = replaced(text, 'method = "quasi_static"\nincrement = "3 um"\nmax_steps = 1000',
+    text = replaced(text, 'method = "secant"\nincrement = "3 um"\nmax_steps = 1000',
                     'method = "two_level_relaxation"\nsmallest_damping = 0.05\nlargest_damping = 0.05\n'
                     "max_steps = 1000000\ncheck_every = 20")
     text = replaced(text, 'gauge = "load"\ndrop_to_share = 0.2', f'gauge = "deflection"\nabove = {LAST_DEFLECTION}')

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "integrator/adaptive_momenta.hpp"
 
@@ -31,6 +32,25 @@ Eigen::Map<const Vector> view(const std::vector<double>& values) {
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+/// A sum is that of eight, each of every eighth term: the same with any width of vectors.
+[[gnu::target_clones("avx512f", "avx2", "default")]] void find_stretches(const double* flexibility, Eigen::Index size,
+                                                                         const double* pulls, const Eigen::Index* rows,
+                                                                         std::size_t n_rows, double* stretches) {
+  constexpr Eigen::Index n_lanes = 8;
+  for (std::size_t k = 0; k < n_rows; ++k) {
+    const double* row = flexibility + rows[k] * size;
+    double sums[n_lanes] = {};
+    Eigen::Index j = 0;
+    for (; j + n_lanes <= size; j += n_lanes) {
+      for (Eigen::Index lane = 0; lane < n_lanes; ++lane) sums[lane] += row[j + lane] * pulls[j + lane];
+    }
+    for (Eigen::Index lane = 0; j < size; ++j, ++lane) sums[lane] += row[j] * pulls[j];
+    double sum = 0.0;
+    for (const double part : sums) sum += part;
+    stretches[rows[k]] = -sum;
+  }
+}
+
 class SpringRelaxation {
  public:
   explicit SpringRelaxation(const SpringProblem& problem)
@@ -43,7 +63,9 @@ class SpringRelaxation {
         stretch_(view(problem.aim)),
         secants_(size_),
         forces_(problem.aim.size()),
-        momenta_(problem.aim.size(), 0.0) {
+        momenta_(problem.aim.size(), 0.0),
+        all_(problem.aim.size()) {
+    std::iota(all_.begin(), all_.end(), Eigen::Index{0});
     evaluate();
   }
 
@@ -66,17 +88,15 @@ class SpringRelaxation {
     update_momenta(momenta_, forces_, damping_);
     Vector change = -2.0 * view(momenta_);
     // Springs that keep to k answer by themselves.
-    Vector motion = Vector::Zero(size_);
     Vector others = change;
     for (const Eigen::Index i : changed_) others[i] = 0.0;
-    motion.noalias() -= flexibility_ * others;
+    Vector motion(size_);
     if (!changed_.empty()) {
+      answer_to(others, changed_, motion);
       const Vector found = mass_.solve(change(changed_) + in_mass_.cwiseProduct(motion(changed_)));
-      for (std::size_t a = 0; a < changed_.size(); ++a) {
-        change[changed_[a]] = found[static_cast<Eigen::Index>(a)];
-        motion -= found[static_cast<Eigen::Index>(a)] * flexibility_.col(changed_[a]);
-      }
+      change(changed_) = found;
     }
+    answer_to(change, all_, motion);
     excess_ += change;
     stretch_ += motion;
     const std::vector<double> before = forces_;
@@ -85,6 +105,11 @@ class SpringRelaxation {
   }
 
  private:
+  /// Stretches of some springs by the pulls of all.
+  void answer_to(const Vector& pulls, const std::vector<Eigen::Index>& springs, Vector& stretches) const {
+    find_stretches(flexibility_.data(), size_, pulls.data(), springs.data(), springs.size(), stretches.data());
+  }
+
   void evaluate() {
     for (Eigen::Index i = 0; i < size_; i += 2) {
       const SpringAnswer answer = problem_.answer(static_cast<std::size_t>(i / 2), {stretch_[i], stretch_[i + 1]});
@@ -121,7 +146,8 @@ class SpringRelaxation {
   Vector secants_;
   std::vector<double> forces_;  ///< f
   std::vector<double> momenta_;
-  double damping_ = 2.0;  // at rest the first half of the step has no time to act
+  std::vector<Eigen::Index> all_;  ///< springs
+  double damping_ = 2.0;           // at rest the first half of the step has no time to act
   // The mass: that of k but for the springs that have changed.
   std::vector<Eigen::Index> changed_;
   Vector in_mass_;  ///< Δ of these

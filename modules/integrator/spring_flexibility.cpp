@@ -12,14 +12,15 @@ using Lanes = std::array<double, n_lanes>;
 
 /// Terms at which the dense ones are zero add nothing, so that it does not matter which of two springs is the sparse
 /// one.
-Lanes products(const SparseStiffness::SparseHalf& sparse, const std::vector<Lanes>& dense) {
+[[gnu::target_clones("avx512f", "avx2", "default")]] void find_products(std::size_t size, const Index* places,
+                                                                        const double* values, const Lanes* dense,
+                                                                        Lanes& products) {
   Lanes sums{};
-  for (std::size_t k = 0; k < sparse.places.size(); ++k) {
-    const Lanes& row = dense[sparse.places[k]];
-    const double value = sparse.values[k];
-    for (std::size_t lane = 0; lane < n_lanes; ++lane) sums[lane] += value * row[lane];
+  for (std::size_t k = 0; k < size; ++k) {
+    const Lanes& row = dense[places[k]];
+    for (std::size_t lane = 0; lane < n_lanes; ++lane) sums[lane] += values[k] * row[lane];
   }
-  return sums;
+  products = sums;
 }
 
 }  // namespace
@@ -60,7 +61,9 @@ void SpringFlexibility::learn(const std::vector<std::size_t>& springs) {
       products_.emplace_back();
     }
     for (std::size_t other = 0; other < begin + count; ++other) {
-      const Lanes all = products(halves_[other], dense);
+      const SparseStiffness::SparseHalf& sparse = halves_[other];
+      Lanes all;
+      find_products(sparse.places.size(), sparse.places.data(), sparse.values.data(), dense.data(), all);
       for (std::size_t lane = 0; lane < count; ++lane) {
         if (other <= begin + lane) products_[begin + lane].push_back(all[lane]);
       }

@@ -88,6 +88,25 @@ TEST_CASE("without a gauge the motion is the control, as with momenta") {
   CHECK(by_secants.state().clock.time == doctest::Approx(1.0));
 }
 
+TEST_CASE("where the gauge can go no further the motion goes on by time, over the jump to what is left") {
+  // The second bond is the control: with the first one at its strength it can be stretched no more.
+  const Index second = FreedomNumbers::per_particle;
+  Row row(n_bonds + 1, 150e-6, {}, "increment", 0.1e-6, "secant", {{second, -1.0}, {2 * second, 1.0}});
+  const double springs = compliance(row);
+  double peak = 0.0;
+  while (row.state().loading.n_without_control == 0) {
+    peak = row.pull();
+    REQUIRE(row.simulation.advance());
+    row.simulation.audit();
+  }
+  CHECK(peak == doctest::Approx(strength * row.area()).epsilon(0.05));
+  const double w = crack_opening(row);
+  CHECK(w > 0.75 * fracture_energy / strength);
+  CHECK(row.pull() == doctest::Approx(softened_strength(w) * row.area()).epsilon(1e-4));
+  CHECK(row.extension() == doctest::Approx(springs * row.pull() + w).epsilon(1e-4));
+  CHECK(row.state().ledger.largest_error < 1e-3);
+}
+
 TEST_CASE("loading that is followed by a gauge ends with its stage") {
   Row row(2, 10e-6, {}, "increment", 3e-6, "secant", {{FreedomNumbers::per_particle, 1.0}});
   for (int i = 0; i < 4; ++i) REQUIRE(row.simulation.advance());

@@ -14,8 +14,12 @@ struct Options {
   ReportOptions report;
 };
 
-ExitCode report(const Options& options) {
+ExitCode report(Options options) {
   const RunDirectory directory = RunDirectory::open(options.path);
+  const Case input = read_case(directory.file("case.toml"), directory.overrides(), directory.copies());
+  for (const auto& [notch, view] : input.notches) {
+    options.report.notches.push_back({to_vector(notch.from), to_vector(notch.to)});
+  }
   fmt::print("report: {}\n", write_report(directory.path(), options.report).string());
   return ExitCode::done;
 }

@@ -110,8 +110,9 @@ std::int64_t last_field_step(const std::filesystem::path& run) {
   return last;
 }
 
-std::vector<Figure> crack_pictures(const std::filesystem::path& run, std::int64_t step, double scale,
+std::vector<Figure> crack_pictures(const std::filesystem::path& run, std::int64_t step, const ReportOptions& options,
                                    const std::filesystem::path& folder) {
+  const double scale = options.scale;
   const auto particles = read_cells(run, "particles", step, scale);
   const auto elements = read_cells(run, "elements", step, scale);
   const auto walls = read_cells(run, "walls", step, scale);
@@ -125,6 +126,10 @@ std::vector<Figure> crack_pictures(const std::filesystem::path& run, std::int64_
   particles_alone = whole;
   if (elements) whole.add(outlines({.name = "elements", .colour = "#707070", .width = 0.6}, *elements, 4));
   if (walls) whole.add(outlines({.name = "walls", .colour = "#303030", .width = 2.5}, *walls, 2));
+  Layer notches{.name = "notches", .title = "notch", .colour = "#101010", .width = 2.0};
+  for (const auto& [from, to] : options.notches) notches.strokes.push_back({{from, to}});
+  whole.add(notches);
+  particles_alone.add(std::move(notches));
   const auto add_planes = [&](const PlaneLayers& lines) {
     for (Picture* picture : {&whole, &particles_alone}) {
       picture->add(lines.tension);

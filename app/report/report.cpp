@@ -110,7 +110,7 @@ fs::path write_report(const fs::path& run, const ReportOptions& options) {
   make_folder(folder);
   std::vector<Figure> figures = gauge_figures(read_csv(run / "history.csv"), "../history.csv");
   const std::int64_t step = options.step ? *options.step : last_field_step(run);
-  for (Figure& figure : crack_pictures(run, step, options.scale, folder)) figures.push_back(std::move(figure));
+  for (Figure& figure : crack_pictures(run, step, options, folder)) figures.push_back(std::move(figure));
   figures.push_back(energy_figure(read_csv(run / "energy.csv"), "../energy.csv"));
   for (const Figure& figure : figures) draw(figure, folder);
   fs::path html = folder / "report.html";

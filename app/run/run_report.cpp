@@ -10,6 +10,9 @@ namespace ligament {
 namespace {
 
 std::string describe_time_step(const Case& input, const Simulation& simulation) {
+  if (simulation.is_quasi_static()) {
+    return fmt::format("increments of loading, each brought to equilibrium: {}", input.solver.method);
+  }
   const double time_step = simulation.state().clock.time_step;
   if (input.solver.time_step.masses == Masses::scaled) {
     return fmt::format("Δt = {:.6g} s of pseudo-time, masses scaled to it; damping: {}", time_step,
@@ -51,12 +54,12 @@ std::vector<std::string> describe(const Case& input, const BuiltSimulation& buil
   }
   if (const auto& walls = built.simulation.model().walls; !walls.empty()) {
     const std::size_t n_seats = built.simulation.state().seat_contacts.size();
-    lines.push_back(fmt::format("{} walls, {} particles touch them", walls.size(), sizes.n_wall_contacts) +
-                    (n_seats > 0 ? fmt::format(", {} nodes of elements stand on them", n_seats) : ""));
+    lines.push_back(fmt::format("walls: {}, touched by {} particles", walls.size(), sizes.n_wall_contacts) +
+                    (n_seats > 0 ? fmt::format("; {} nodes of elements stand on them", n_seats) : ""));
   }
   const Model& model = built.simulation.model();
   if (!model.beams.empty() || !model.platens.empty()) {
-    lines.push_back(fmt::format("{} beams of {} elements; {} walls are platens", model.beams.size(),
+    lines.push_back(fmt::format("beams: {}, of {} elements; {} of the walls are platens", model.beams.size(),
                                 model.beam_elements.size(), model.platens.size()));
   }
   for (const auto& [zone, entries] : built.reports) {

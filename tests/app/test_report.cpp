@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "program.hpp"
 
@@ -56,6 +57,25 @@ TEST_CASE("the report of a fractured specimen has its curves, its crack and its 
   CHECK_FALSE(contains(page, "<img"));
   CHECK_FALSE(contains(page, "<link"));
   CHECK_FALSE(contains(page, "<script"));
+}
+
+TEST_CASE("a notch is drawn where it was cut, with all of the beam and with its particles alone") {
+  const Workplace place;
+  const std::string beam = LIGAMENT_SOURCE_DIR "/config/petersson_beam.toml";
+  const Finished stopped = place.run({"run", beam, "--output", "run", "--quiet", "--stop-after-steps", "1"});
+  CAPTURE(stopped.err);
+  REQUIRE(place.run({"report", "run"}).code == 0);
+  for (const std::string name : {"cracks", "cracks_close"}) {
+    CHECK(contains(content_of(place / ("run/report/" + name + ".svg")), ">notch<"));
+  }
+  std::istringstream notch(content_of(place / "run/report/notches.dat"));
+  double x = 0.0, y = 0.0, colour = 0.0;
+  notch >> x >> y >> colour;
+  CHECK(x == doctest::Approx(1.0));
+  CHECK(y == doctest::Approx(0.0));
+  notch >> x >> y >> colour;
+  CHECK(x == doctest::Approx(1.0));
+  CHECK(y == doctest::Approx(0.1));
 }
 
 TEST_CASE("the numbers of the crack fit the specimen") {

@@ -139,6 +139,9 @@ SecantRelaxation::Course SecantRelaxation::begin_course(Increment& increment, co
   if (loading.gauge_sign == 0.0) loading.gauge_sign = std::copysign(1.0, course.gauge_rate);
   course.gauge_left = loading.gauge_sign * target.step;
   course.time = course.gauge_left / course.gauge_rate;
+  std::vector<double> factors(direction_.size(), 0.0);
+  for (const SpringTerm& term : target.gauge) factors[term.freedom] += increment.free()[term.freedom] * term.factor;
+  course.gauge_half = flexibility_.matrix().half(factors);
   return course;
 }
 
@@ -181,12 +184,12 @@ SpringProblem SecantRelaxation::live_problem(const Increment& increment, const s
   return problem;
 }
 
-std::vector<double> SecantRelaxation::hold_gauge(const Course& course, const std::vector<double>& gauge_half,
-                                                 SpringProblem& problem) const {
+std::vector<double> SecantRelaxation::hold_gauge(const Course& course, SpringProblem& problem) const {
   const std::size_t n = springs_.size();
   std::vector<double> time(n, 0.0);
   if (course.gauge.empty()) return time;
-  for (std::size_t j = 0; j < n; ++j) time[j] = flexibility_.response(springs_[j], gauge_half) / course.gauge_rate;
+  for (std::size_t j = 0; j < n; ++j)
+    time[j] = flexibility_.response(springs_[j], course.gauge_half) / course.gauge_rate;
   for (std::size_t i = 0; i < n; ++i) {
     const double along = flexibility_.stretch(springs_[i], direction_);
     for (std::size_t j = 0; j < n; ++j) problem.flexibility[i * n + j] -= along * time[j];
@@ -200,20 +203,12 @@ std::optional<std::vector<double>> SecantRelaxation::correction(Increment& incre
   find_live_contacts(loose, live_share * tolerance);
   const SparseStiffness& matrix = flexibility_.matrix();
   std::vector<double> half = matrix.half(free_forces(increment.model(), increment.state()));
-  std::vector<double> gauge_half;
   double advance = 0.0;
-  if (!course.gauge.empty()) {
-    gauge_half.assign(half.size(), 0.0);
-    for (const SpringTerm& term : course.gauge) {
-      gauge_half[term.freedom] += increment.free()[term.freedom] * term.factor;
-    }
-    gauge_half = matrix.half(gauge_half);
-    advance = (course.gauge_left - product(gauge_half, half)) / course.gauge_rate;
-  }
+  if (!course.gauge.empty()) advance = (course.gauge_left - product(course.gauge_half, half)) / course.gauge_rate;
   if (live_.size() > most_live_contacts) return {};
   if (!live_.empty()) {
     SpringProblem problem = live_problem(increment, loose, half, advance);
-    const std::vector<double> time = hold_gauge(course, gauge_half, problem);
+    const std::vector<double> time = hold_gauge(course, problem);
     const auto excess = solve_springs(problem, solved_share * tolerance);
     if (!excess) return {};
     for (std::size_t i = 0; i < excess->size(); ++i) {

@@ -30,10 +30,11 @@ class SecantRelaxation : public EquilibriumSearch {
   /// How far the increment has come on its way.
   struct Course {
     std::span<const SpringTerm> gauge;
-    double unit = 0.0;        ///< of time (s)
-    double time = 0.0;        ///< so far (units)
-    double gauge_left = 0.0;  ///< to go
-    double gauge_rate = 1.0;  ///< of the gauge along d
+    double unit = 0.0;                    ///< of time (s)
+    double time = 0.0;                    ///< so far (units)
+    double gauge_left = 0.0;              ///< to go
+    double gauge_rate = 1.0;              ///< of the gauge along d
+    std::vector<double> gauge_half = {};  ///< half the answer to the gauge's factors as forces
   };
 
   bool find_directly(Increment& increment, const IncrementTarget& target);
@@ -51,8 +52,7 @@ class SecantRelaxation : public EquilibriumSearch {
                                            const std::vector<double>& half, double advance);
   /// Holds the gauge where it is, whatever live springs pull: pseudo-time, so much for a unit of each (units/N), makes
   /// up for it.
-  std::vector<double> hold_gauge(const Course& course, const std::vector<double>& gauge_half,
-                                 SpringProblem& problem) const;
+  std::vector<double> hold_gauge(const Course& course, SpringProblem& problem) const;
   /// The next motion, and the pseudo-time that goes with it (units). Nothing if live contacts do not settle.
   [[nodiscard]] std::optional<std::vector<double>> correction(Increment& increment, Course& course);
 

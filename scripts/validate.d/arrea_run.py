@@ -5,7 +5,7 @@ import math
 from arrea_targets import (DEPTH, LAST_SLIDING, LEFT_SUPPORT, NOTCH_DEPTH, OUTER_PLATEN, REFERENCE, SLOPE_FROM, SLOPE_TO,
                            THICKNESS, ZONE_HALF_WIDTH)
 from beam_crack import broken_contacts, contacts_of
-from validation import PAGES, Run, run_case
+from validation import PAGES, run_case
 
 TIP_REACH = 50e-3  # m, how far from the tip of the notch the direction of the crack is taken
 BORDER = 10e-3  # m, beside the elements
@@ -96,7 +96,3 @@ class MixedBeam:
 
 def run_beam(folder, case, seed, overrides=()):
     return MixedBeam(run_case(folder, case, (f"generation.seed={seed}", *overrides)), seed)
-
-
-def beam_of_ensemble(folder, seed):
-    return MixedBeam(Run(folder / f"seed_{seed}", 0, None, None), seed)

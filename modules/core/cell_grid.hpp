@@ -34,6 +34,9 @@ class CellGrid {
     }
   }
 
+  /// All points in that order.
+  [[nodiscard]] std::span<const Index> points() const { return points_; }
+
  private:
   using Cell = std::array<std::size_t, dimension>;
 

@@ -2,70 +2,33 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <vector>
-
 #include "core/error.hpp"
+#include "generation/point_cells.hpp"
 
 namespace ligament {
 namespace {
 
-constexpr Index none = -1;
-
-/// Discs in square cells as wide as the largest of them, so that only neighbouring cells can hold one that overlaps.
+/// Discs in cells as wide as the largest of them, so that only neighbouring cells can hold one that overlaps.
 class InsertedDiscs {
  public:
-  InsertedDiscs(std::span<const double> radii, const Vector& size)
-      : radii_(radii),
-        cell_size_(2.0 * radii[0]),
-        n_x_(number_of_cells(size.x)),
-        n_y_(number_of_cells(size.y)),
-        newest_(n_x_ * n_y_, none) {}
+  InsertedDiscs(std::span<const double> radii, const Vector& size) : radii_(radii), cells_(size, 2.0 * radii[0]) {}
 
   /// Whether a disc at this place would overlap none that is there.
   [[nodiscard]] bool has_room(const Vector& place, double radius) const {
-    const std::size_t x = cell_along(place.x, n_x_);
-    const std::size_t y = cell_along(place.y, n_y_);
-    for (std::size_t j = y - std::min<std::size_t>(y, 1); j <= std::min(y + 1, n_y_ - 1); ++j) {
-      for (std::size_t i = x - std::min<std::size_t>(x, 1); i <= std::min(x + 1, n_x_ - 1); ++i) {
-        if (overlaps_one_of(newest_[j * n_x_ + i], place, radius)) return false;
-      }
-    }
-    return true;
+    return !cells_.any_near(place, [&](Index disc) {
+      const Vector apart = place - cells_.points()[disc];
+      const double reach = radius + radii_[disc];
+      return dot(apart, apart) < reach * reach;
+    });
   }
 
-  void add(const Vector& place) {
-    Index& newest = newest_[cell_along(place.y, n_y_) * n_x_ + cell_along(place.x, n_x_)];
-    older_.push_back(newest);
-    newest = static_cast<Index>(centres_.size());
-    centres_.push_back(place);
-  }
+  void add(const Vector& place) { cells_.add(place); }
 
-  [[nodiscard]] Field<Vector> take_centres() { return std::move(centres_); }
+  [[nodiscard]] const Field<Vector>& centres() const { return cells_.points(); }
 
  private:
-  [[nodiscard]] std::size_t number_of_cells(double length) const {
-    return static_cast<std::size_t>(length / cell_size_) + 1;
-  }
-  [[nodiscard]] std::size_t cell_along(double position, std::size_t n_cells) const {
-    return std::min(static_cast<std::size_t>(position / cell_size_), n_cells - 1);
-  }
-  [[nodiscard]] bool overlaps_one_of(Index disc, const Vector& place, double radius) const {
-    for (; disc != none; disc = older_[disc]) {
-      const Vector apart = place - centres_[disc];
-      const double reach = radius + radii_[disc];
-      if (dot(apart, apart) < reach * reach) return true;
-    }
-    return false;
-  }
-
   std::span<const double> radii_;
-  double cell_size_;
-  std::size_t n_x_;
-  std::size_t n_y_;
-  std::vector<Index> newest_;  ///< of the discs in a cell
-  std::vector<Index> older_;   ///< the disc that was the newest of its cell before this one
-  Field<Vector> centres_;
+  PointCells cells_;
 };
 
 Vector find_room(const InsertedDiscs& discs, double radius, const Vector& size, RandomNumbers& random) {
@@ -87,7 +50,7 @@ Field<Vector> insert_discs(std::span<const double> radii, const Vector& size, Ra
   if (radii.empty()) return {};
   InsertedDiscs discs(radii, size);
   for (const double radius : radii) discs.add(find_room(discs, radius, size, random));
-  return discs.take_centres();
+  return discs.centres();
 }
 
 }  // namespace ligament

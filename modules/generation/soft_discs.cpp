@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "core/block_sum.hpp"
-#include "core/cell_grid.hpp"
 
 namespace ligament {
 namespace {
@@ -27,7 +26,7 @@ int SoftDiscs::relax(const Field<double>& radii, double tolerance, int most_step
   if (centres_.empty()) return 0;
   radii_ = radii;
   const double mean_radius = std::accumulate(radii.begin(), radii.end(), 0.0) / static_cast<double>(radii.size());
-  skin_ = 0.3 * mean_radius;
+  near_.emplace(radii_, 0.3 * mean_radius);
   list_neighbours();
   std::fill(velocities_.begin(), velocities_.end(), Vector{});
 
@@ -59,27 +58,15 @@ int SoftDiscs::relax(const Field<double>& radii, double tolerance, int most_step
 }
 
 void SoftDiscs::list_neighbours() {
-  neighbours_.clear();
   centres_when_listed_ = centres_;
-  const double largest_radius = *std::max_element(radii_.begin(), radii_.end());
-  const CellGrid grid(centres_, 2.0 * largest_radius + skin_);
-  for (std::size_t a = 0; a < centres_.size(); ++a) {
-    const auto first = static_cast<Index>(a);
-    const Vector range = uniform_vector(radii_[a] + largest_radius + skin_);
-    grid.visit_box(centres_[a] - range, centres_[a] + range, [&](Index second) {
-      if (second <= first) return;
-      const Vector apart = centres_[second] - centres_[first];
-      const double reach = radii_[first] + radii_[second] + skin_;
-      if (dot(apart, apart) < reach * reach) neighbours_.push_back({first, second});
-    });
-  }
+  near_->update(centres_);
 }
 
 void SoftDiscs::find_forces() {
   for (std::size_t i = 0; i < centres_.size(); ++i) {
     forces_[i] = {push_of_walls(centres_[i].x, radii_[i], size_.x), push_of_walls(centres_[i].y, radii_[i], size_.y)};
   }
-  for (const Pair& pair : neighbours_) {
+  for (const DiscPair& pair : near_->pairs()) {
     const Vector apart = centres_[pair.second] - centres_[pair.first];
     const double reach = radii_[pair.first] + radii_[pair.second];
     const double squared_distance = dot(apart, apart);
@@ -114,8 +101,7 @@ void SoftDiscs::move(double time_step, double keep, double steer) {
     centres_[i] += time_step * velocities_[i];
     farthest = std::max(farthest, largest_component(centres_[i] - centres_when_listed_[i]));
   }
-  // Two discs approach each other by at most 2√2 times the largest component.
-  if (farthest > 0.35 * skin_) list_neighbours();
+  if (farthest > near_->most_moved()) list_neighbours();
 }
 
 }  // namespace ligament

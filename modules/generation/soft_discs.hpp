@@ -1,8 +1,9 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "core/vector.hpp"
+#include "generation/near_discs.hpp"
 
 namespace ligament {
 
@@ -22,10 +23,6 @@ class SoftDiscs {
   [[nodiscard]] const Field<Vector>& centres() const { return centres_; }
 
  private:
-  struct Pair {
-    Index first;
-    Index second;
-  };
   /// What decides the next step, summed over all discs.
   struct Motion {
     double power = 0.0;     ///< Σ F·v
@@ -46,10 +43,8 @@ class SoftDiscs {
   Field<Vector> forces_;
   Field<double> radii_;
   Vector size_;
-  /// Pairs nearer than the skin, good until a disc has moved by half of it.
-  std::vector<Pair> neighbours_;
+  std::optional<NearDiscs> near_;
   Field<Vector> centres_when_listed_;
-  double skin_ = 0.0;
 };
 
 }  // namespace ligament

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "generation/disc_growth.hpp"
+#include "generation/point_cells.hpp"
 #include "generation/voids.hpp"
 
 namespace ligament {
@@ -37,14 +39,17 @@ std::vector<Circle> voids_to_fill(const Packing& packing, const Vector& size, co
 }
 
 /// Fills the voids, the largest first, those left out that the discs before have made too small.
-void fill(Packing& packing, const std::vector<Circle>& voids, const VoidFilling& filling) {
-  const std::size_t n_before = packing.size();
+void fill(Packing& packing, const Vector& size, const std::vector<Circle>& voids, const VoidFilling& filling) {
+  constexpr double rounding = 1e-6;
+  const double reach = (filling.disc_radius + filling.smallest_void) * (1.0 + rounding);
+  const double spacing = std::sqrt(size.x * size.y / static_cast<double>(voids.size()));
+  PointCells filled(size, std::max(reach, spacing));
   for (const Circle& hole : voids) {
-    bool is_left = true;
-    for (std::size_t i = n_before; i < packing.size() && is_left; ++i) {
-      is_left = norm(packing.position[i] - hole.centre) - filling.disc_radius > filling.smallest_void;
-    }
-    if (!is_left) continue;
+    const bool is_too_small = filled.any_near(hole.centre, [&](Index disc) {
+      return norm(filled.points()[disc] - hole.centre) - filling.disc_radius <= filling.smallest_void;
+    });
+    if (is_too_small) continue;
+    filled.add(hole.centre);
     packing.position.push_back(hole.centre);
     packing.radius.push_back(filling.disc_radius);
   }
@@ -58,7 +63,7 @@ std::size_t eliminate_voids(Packing& packing, const Vector& size, const VoidFill
   for (int round = 0; round < most_rounds; ++round) {
     const std::vector<Circle> voids = voids_to_fill(packing, size, filling);
     if (voids.empty()) return packing.size() - n_before;
-    fill(packing, voids, filling);
+    fill(packing, size, voids, filling);
     settle(packing, size);
   }
   throw InputError(

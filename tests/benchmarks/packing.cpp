@@ -19,7 +19,7 @@ void hexagonal_packing(benchmark::State& run) {
 }
 BENCHMARK(hexagonal_packing)->Arg(10'000)->Unit(benchmark::kMicrosecond);
 
-/// The random assembly R1, and the graded one of the notched beam.
+/// The random assembly R1, and the graded ones of three beams: 3000, 7000 and 30 000 particles.
 void case_packing(benchmark::State& run, const std::string& path) {
   Case input = read_case(path, {});
   std::size_t n_particles = 0;
@@ -29,6 +29,10 @@ void case_packing(benchmark::State& run, const std::string& path) {
 BENCHMARK_CAPTURE(case_packing, column_random_r1, LIGAMENT_SOURCE_DIR "/config/column_random_r1.toml")
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(case_packing, petersson_beam, LIGAMENT_SOURCE_DIR "/config/petersson_beam.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(case_packing, arrea_beam, LIGAMENT_SOURCE_DIR "/config/arrea_beam.toml")
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(case_packing, petersson_beam_particles, LIGAMENT_SOURCE_DIR "/config/petersson_beam_particles.toml")
     ->Unit(benchmark::kMillisecond);
 
 void particle_search(benchmark::State& run) {

@@ -1,10 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "generation/disc_growth.hpp"
 #include "generation/void_elimination.hpp"
 #include "generation/voids.hpp"
+#include "reference/grown_circles.hpp"
 #include "reference/largest_empty_circle.hpp"
 
 using namespace ligament;
@@ -21,6 +24,12 @@ Packing loose_discs(const Vector& size, std::uint64_t seed, int count) {
   }
   return packing;
 }
+
+std::tuple<double, double, double> values(const Circle& circle) {
+  return {circle.radius, circle.centre.x, circle.centre.y};
+}
+
+bool is_larger(const Circle& a, const Circle& b) { return values(b) < values(a); }
 
 }  // namespace
 
@@ -63,6 +72,26 @@ TEST_CASE("voids are empty circles above the limit, the largest first") {
     CHECK(reference::clearance(packing.position, packing.radius, size, voids[i].centre) ==
           doctest::Approx(voids[i].radius).epsilon(1e-6));
   }
+}
+
+TEST_CASE("voids are those of a search among all pairs that looks at all obstacles at every turn, to the bit") {
+  const Vector size{1.3, 1.0};
+  constexpr double limit = 0.01;
+  std::size_t n_voids = 0;
+  for (const int count : {1, 5, 20, 40, 80, 120}) {
+    for (const std::uint64_t seed : {1, 2, 3}) {
+      CAPTURE(count);
+      CAPTURE(seed);
+      const Packing packing = loose_discs(size, seed, count);
+      const auto found = find_voids(packing.position, packing.radius, size, limit);
+      auto expected = reference::grown_circles({packing.position, packing.radius, size, limit}, limit);
+      std::sort(expected.begin(), expected.end(), is_larger);
+      REQUIRE(found.size() == expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) CHECK(values(found[i]) == values(expected[i]));
+      n_voids += found.size();
+    }
+  }
+  CHECK(n_voids > 500);
 }
 
 TEST_CASE("an empty box is one void, and a box that a disc covers has none") {

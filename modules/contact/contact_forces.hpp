@@ -172,10 +172,7 @@ class ContactForces : public ForceProvider {
   static void measure_motion(const Model& model, State& state, const LawBlock& block, BlockMotion& motion) {
     Pairing::measure(model, state, block, motion);
     ContactTable& contacts = Pairing::table(state);
-    std::copy_n(motion.opening.begin(), block.size(), contacts.opening.begin() + block.begin);
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      contacts.shear_displacement[block.begin + i] += motion.slip_increment[i];
-    }
+    keep_motion(block.size(), motion, &contacts.opening[block.begin], &contacts.shear_displacement[block.begin]);
   }
 
   static void apply_law(ContactTable& contacts, const LawBlock& block, Part& part) {

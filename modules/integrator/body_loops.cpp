@@ -105,13 +105,27 @@ double velocity_after(double before, double acceleration, double free, const Mot
   }
 }
 
+/// Sum by lanes, then over lanes.
+[[gnu::target_clones("avx512f", "avx2", "default")]] double lane_sum(const double* __restrict terms,
+                                                                     std::size_t count) {
+  constexpr std::size_t n_lanes = BlockTerms::n_lanes;
+  std::array<double, n_lanes> lanes{};
+  const std::size_t n_whole = count - count % n_lanes;
+  for (std::size_t i = 0; i < n_whole; i += n_lanes) {
+    for (std::size_t lane = 0; lane < n_lanes; ++lane) lanes[lane] += terms[i + lane];
+  }
+  for (std::size_t i = n_whole; i < count; ++i) lanes[i - n_whole] += terms[i];
+  double sum = 0.0;
+  for (const double lane : lanes) sum += lane;
+  return sum;
+}
+
 }  // namespace
 
 TwoSums BlockTerms::sum(std::size_t count) const {
-  std::array<TwoSums, n_lanes> lanes;
-  for (std::size_t i = 0; i < count; ++i) lanes[i % n_lanes] += {first[i], second[i]};
   TwoSums sum;
-  for (const TwoSums& lane : lanes) sum += lane;
+  sum.first = lane_sum(first.data(), count);
+  sum.second = lane_sum(second.data(), count);
   return sum;
 }
 

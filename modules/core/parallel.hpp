@@ -21,7 +21,7 @@ inline Threads& threads() {
 
 /// Bringing threads together and apart takes as long as the physics of some hundred contacts, and what a thread has
 /// written is slow to read for another: loops over fewer rows are faster alone.
-inline constexpr std::size_t smallest_shared_loop = 4096;
+inline constexpr std::size_t smallest_shared_loop = 1024;
 
 /// Whether threads share a loop over so many rows.
 inline bool is_shared(std::size_t count) {

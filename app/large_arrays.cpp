@@ -11,8 +11,7 @@ namespace {
 constexpr std::size_t large_page = std::size_t{2} << 20U;
 
 void* allocate(std::size_t size) {
-  // What is left over at the end has a large page to itself if it nearly fills it, else small ones: memory is not
-  // wasted.
+  // What is left over at the end gets one of its own if it nearly fills it.
   const std::size_t n_large = (size + large_page / 4) / large_page;
   if (n_large == 0) return std::malloc(size > 0 ? size : 1);
   void* memory = std::aligned_alloc(large_page, (size + large_page - 1) / large_page * large_page);

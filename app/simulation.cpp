@@ -29,13 +29,13 @@ void resize(RotationState& bodies, std::size_t count) {
 }
 
 void clear(TranslationState& bodies) {
-  parallel_ranges(bodies.force.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_bodies(bodies.force.size(), [&](std::size_t begin, std::size_t end) {
     std::fill(bodies.force.data() + begin, bodies.force.data() + end, Vector{});
   });
 }
 
 void clear(TurningState& bodies) {
-  parallel_ranges(bodies.translation.force.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_bodies(bodies.translation.force.size(), [&](std::size_t begin, std::size_t end) {
     std::fill(bodies.translation.force.data() + begin, bodies.translation.force.data() + end, Vector{});
     std::fill(bodies.rotation.moment.data() + begin, bodies.rotation.moment.data() + end, Moment{});
   });

@@ -19,7 +19,7 @@ TwoSums accelerate(TurningState& bodies, const Field<Vector>& free, const Field<
                    const MotionLaw& law) {
   begin_update(bodies.translation);
   begin_update(bodies.rotation);
-  return sum_of_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
+  return sum_of_body_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
     BlockTerms work;
     accelerate(bodies.translation, free, law, {begin, end}, work);
     accelerate(bodies.rotation, rotation_free, law, {begin, end}, work);
@@ -30,7 +30,7 @@ TwoSums accelerate(TurningState& bodies, const Field<Vector>& free, const Field<
 /// The same of nodes of elements.
 TwoSums accelerate(NodeState& nodes, const Field<Vector>& free, const MotionLaw& law) {
   begin_update(nodes.translation);
-  return sum_of_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
+  return sum_of_body_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
     BlockTerms work;
     accelerate(nodes.translation, free, law, {begin, end}, work);
     return work.sum(end - begin);

@@ -28,19 +28,23 @@ void resize(RotationState& bodies, std::size_t count) {
   }
 }
 
-template <class T>
-void clear(Field<T>& field) {
-  parallel_ranges(field.size(), [&](std::size_t begin, std::size_t end) {
-    std::fill(field.data() + begin, field.data() + end, T{});
+void clear(TranslationState& bodies) {
+  parallel_bodies(bodies.force.size(), [&](std::size_t begin, std::size_t end) {
+    std::fill(bodies.force.data() + begin, bodies.force.data() + end, Vector{});
+  });
+}
+
+void clear(TurningState& bodies) {
+  parallel_bodies(bodies.translation.force.size(), [&](std::size_t begin, std::size_t end) {
+    std::fill(bodies.translation.force.data() + begin, bodies.translation.force.data() + end, Vector{});
+    std::fill(bodies.rotation.moment.data() + begin, bodies.rotation.moment.data() + end, Moment{});
   });
 }
 
 void clear_forces(State& state) {
-  clear(state.particles.translation.force);
-  clear(state.particles.rotation.moment);
-  clear(state.nodes.translation.force);
-  clear(state.beam_nodes.translation.force);
-  clear(state.beam_nodes.rotation.moment);
+  clear(state.particles);
+  clear(state.nodes.translation);
+  clear(state.beam_nodes);
 }
 
 void merge(std::vector<EnergyTerm>& lines, const std::vector<EnergyTerm>& more) {

@@ -130,7 +130,7 @@ StepLimits step_limits(const Model& model) {
 bool are_within(const State& state, const StepLimits& limits) {
   const Field<Vector>& travel = state.particles.translation.increment;
   const Field<Rotation>& turn = state.particles.rotation.increment;
-  const std::int64_t n_beyond = sum_of_blocks(travel.size(), [&](std::size_t begin, std::size_t end) {
+  const std::int64_t n_beyond = sum_of_body_blocks(travel.size(), [&](std::size_t begin, std::size_t end) {
     return count_beyond(end - begin, travel.data() + begin, limits.travel * limits.travel, turn.data() + begin,
                         limits.turn);
   });

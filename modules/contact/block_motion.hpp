@@ -50,4 +50,7 @@ struct BlockMotion {
   }
 };
 
+/// What contacts remember of the motions of a block: openings, and slips on those before.
+void keep_motion(std::size_t size, const BlockMotion& motion, double* opening, ShearVector* shear_displacement);
+
 }  // namespace ligament

@@ -110,53 +110,69 @@ class ContactForces : public ForceProvider {
       measure_motion(model, state, block, part.motion);
       apply_law(Pairing::table(state), block, part);
       Pairing::find_end_forces(Pairing::table(state), block, part.motion, part.end_forces);
-      bring_forces(model, state, block, before, part);
+      if (has_shared_bodies(model, Pairing::table(state), block, before)) {
+        bring_or_keep_forces(model, state, block, before, part);
+      } else {
+        bring_forces(model, state, block, part.end_forces);
+      }
+    }
+  }
+
+  /// Whether contacts of a block act on bodies that contacts before this part may act on as well.
+  static bool has_shared_bodies(const Model& model, const ContactTable& contacts, const LawBlock& block,
+                                const TouchedBodies& before) {
+    if (before.is_empty()) return false;
+    for (std::size_t row = block.begin; row < block.end; ++row) {
+      const auto bodies = Pairing::end_bodies(model, contacts, row);
+      for (std::size_t end = 0; end < Pairing::n_ends; ++end) {
+        if (before.may_include(Pairing::end_kinds[end], bodies[end])) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Brings the forces of a block to the bodies, or keeps those that have to wait.
+  static void bring_or_keep_forces(const Model& model, State& state, const LawBlock& block, const TouchedBodies& before,
+                                   Part& part) {
+    const ContactTable& contacts = Pairing::table(state);
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const auto bodies = Pairing::end_bodies(model, contacts, block.begin + i);
+      for (std::size_t end = 0; end < Pairing::n_ends; ++end) {
+        const BodyKind kind = Pairing::end_kinds[end];
+        if (before.may_include(kind, bodies[end])) {
+          part.waiting.push_back({kind, bodies[end], part.end_forces.at(end, i)});
+        } else {
+          add(part.end_forces.at(end, i), state, kind, bodies[end]);
+        }
+      }
     }
   }
 
   /// Brings the forces of a block to the bodies. Contacts of one first body follow each other: it is fetched once for
   /// all of them, which do not have to wait for each other then. No other end of them is at that body.
-  static void bring_forces(const Model& model, State& state, const LawBlock& block, const TouchedBodies& before,
-                           Part& part) {
+  static void bring_forces(const Model& model, State& state, const LawBlock& block,
+                           const BlockEndForces<Pairing::n_ends>& forces) {
     const ContactTable& contacts = Pairing::table(state);
-    const BlockEndForces<Pairing::n_ends>& forces = part.end_forces;
-    constexpr BodyKind kind = Pairing::end_kinds[0];
-    for (std::size_t i = 0; i < block.size();) {
-      const Index first = contacts.first[block.begin + i];
-      const bool waits = before.may_include(kind, first);
-      EndForce sum = waits ? EndForce{} : force_on(state, kind, first);
-      for (; i < block.size() && contacts.first[block.begin + i] == first; ++i) {
-        if (waits) {
-          part.waiting.push_back({kind, first, forces.at(0, i)});
-        } else {
-          sum += forces.at(0, i);
+    const Index* first_bodies = &contacts.first[block.begin];
+    const std::size_t size = block.size();
+    for (std::size_t i = 0; i < size;) {
+      const Index first = first_bodies[i];
+      EndForce sum = force_on(state, Pairing::end_kinds[0], first);
+      do {
+        sum += forces.at(0, i);
+        const auto bodies = Pairing::end_bodies(model, contacts, block.begin + i);
+        for (std::size_t end = 1; end < Pairing::n_ends; ++end) {
+          add(forces.at(end, i), state, Pairing::end_kinds[end], bodies[end]);
         }
-        bring_to_others(state, Pairing::end_bodies(model, contacts, block.begin + i), i, before, part);
-      }
-      if (!waits) set_force_on(state, kind, first, sum);
-    }
-  }
-
-  template <class Bodies>
-  static void bring_to_others(State& state, const Bodies& bodies, std::size_t i, const TouchedBodies& before,
-                              Part& part) {
-    for (std::size_t end = 1; end < Pairing::n_ends; ++end) {
-      const BodyKind kind = Pairing::end_kinds[end];
-      if (before.may_include(kind, bodies[end])) {
-        part.waiting.push_back({kind, bodies[end], part.end_forces.at(end, i)});
-      } else {
-        add(part.end_forces.at(end, i), state, kind, bodies[end]);
-      }
+      } while (++i < size && first_bodies[i] == first);
+      set_force_on(state, Pairing::end_kinds[0], first, sum);
     }
   }
 
   static void measure_motion(const Model& model, State& state, const LawBlock& block, BlockMotion& motion) {
     Pairing::measure(model, state, block, motion);
     ContactTable& contacts = Pairing::table(state);
-    std::copy_n(motion.opening.begin(), block.size(), contacts.opening.begin() + block.begin);
-    for (std::size_t i = 0; i < block.size(); ++i) {
-      contacts.shear_displacement[block.begin + i] += motion.slip_increment[i];
-    }
+    keep_motion(block.size(), motion, &contacts.opening[block.begin], &contacts.shear_displacement[block.begin]);
   }
 
   static void apply_law(ContactTable& contacts, const LawBlock& block, Part& part) {

@@ -42,7 +42,7 @@ Field<Vector> current_positions(const Field<Vector>& rest, const Field<Vector>& 
 
 /// Whether a body has moved farther than this (m) since the last update; what is not a number has.
 bool has_travelled(const Field<Vector>& displacement, const Field<Vector>& last, double distance) {
-  const std::int64_t n_travelled = sum_of_blocks(last.size(), [&](std::size_t begin, std::size_t end) {
+  const std::int64_t n_travelled = sum_of_body_blocks(last.size(), [&](std::size_t begin, std::size_t end) {
     return count_beyond(end - begin, displacement.data() + begin, last.data() + begin, distance * distance);
   });
   return n_travelled > 0;

@@ -11,6 +11,7 @@ struct TouchedBodies {
   Index particle_end = 0;
   Index node_end = 0;
 
+  [[nodiscard]] bool is_empty() const { return particle_end == 0 && node_end == 0; }
   [[nodiscard]] bool may_include(BodyKind kind, Index body) const {
     return body < (kind == BodyKind::particle ? particle_end : node_end);
   }

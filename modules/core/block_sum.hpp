@@ -11,16 +11,17 @@ namespace ligament {
 /// Physics and sums walk the rows of a table in blocks of this size, whatever the number of threads.
 inline constexpr std::size_t block_size = 512;
 
-/// Sum of partial(begin, end) over the blocks of the rows [0, count), in their order. Threads share the blocks.
+/// Sum of partial(begin, end) over the blocks of the rows [0, count), in their order. Threads share the blocks if told
+/// to.
 template <class Partial>
-auto sum_of_blocks(std::size_t count, Partial&& partial) {
+auto sum_of_blocks(std::size_t count, bool shared, Partial&& partial) {
   using Value = decltype(partial(std::size_t{0}, std::size_t{0}));
   const auto of_block = [&](std::size_t block) {
     return partial(block * block_size, std::min((block + 1) * block_size, count));
   };
   const std::size_t n_blocks = (count + block_size - 1) / block_size;
   Value total{};
-  if (!is_shared(count)) {
+  if (!shared) {
     for (std::size_t block = 0; block < n_blocks; ++block) total += of_block(block);
     return total;
   }
@@ -30,6 +31,17 @@ auto sum_of_blocks(std::size_t count, Partial&& partial) {
   });
   for (const Value& sum : partials) total += sum;
   return total;
+}
+
+template <class Partial>
+auto sum_of_blocks(std::size_t count, Partial&& partial) {
+  return sum_of_blocks(count, is_shared(count), partial);
+}
+
+/// The same over bodies of a step.
+template <class Partial>
+auto sum_of_body_blocks(std::size_t count, Partial&& partial) {
+  return sum_of_blocks(count, is_shared(count, smallest_shared_bodies), partial);
 }
 
 /// Sum of term(i) over i in [0, count) in one fixed order: by blocks, then over blocks. Every global sum of a run goes

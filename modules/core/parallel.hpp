@@ -23,9 +23,13 @@ inline Threads& threads() {
 /// written is slow to read for another: loops over fewer rows are faster alone.
 inline constexpr std::size_t smallest_shared_loop = 4096;
 
+/// The same of the loops over bodies in a step: several follow each other, and go where the contacts of the bodies are,
+/// of which each has two or three.
+inline constexpr std::size_t smallest_shared_bodies = 2048;
+
 /// Whether threads share a loop over so many rows.
-inline bool is_shared(std::size_t count) {
-  return threads().count > 1 && count > 0 && (count >= smallest_shared_loop || threads().share_small_loops);
+inline bool is_shared(std::size_t count, std::size_t smallest = smallest_shared_loop) {
+  return threads().count > 1 && count > 0 && (count >= smallest || threads().share_small_loops);
 }
 
 /// Calls body(begin, end) for ranges of rows that together are [0, count): one for each thread if the loop is shared,
@@ -55,6 +59,12 @@ void parallel_ranges(std::size_t count, bool shared, Body&& body) {
 template <class Body>
 void parallel_ranges(std::size_t count, Body&& body) {
   parallel_ranges(count, is_shared(count), body);
+}
+
+/// The same for bodies of a step.
+template <class Body>
+void parallel_bodies(std::size_t count, Body&& body) {
+  parallel_ranges(count, is_shared(count, smallest_shared_bodies), body);
 }
 
 }  // namespace ligament

@@ -23,11 +23,13 @@ struct MotionFactors {
         local(law.damping.local),
         time(law.acceleration_time),
         factor(time / (1.0 + 0.5 * viscous * time)),
+        time_step_before(law.time_step_before),
         half_step(0.5 * law.time_step) {}
   double viscous;
   double local;
   double time;
   double factor;
+  double time_step_before;
   double half_step;
 };
 
@@ -44,10 +46,10 @@ double velocity_after(double before, double acceleration, double free, const Mot
 
 [[gnu::target_clones("avx512f", "avx2", "default")]] void accelerate_translations(
     std::size_t count, const MotionFactors& law, const Vector* __restrict force, const double* __restrict mass,
-    const Vector* __restrict free, const Vector* __restrict increment, Vector* __restrict velocity_before,
-    Vector* __restrict velocity, double* __restrict work_behind, double* __restrict work_ahead) {
+    const Vector* __restrict free, const Vector* __restrict velocity_before, Vector* __restrict velocity,
+    double* __restrict work_behind, double* __restrict work_ahead) {
   for (std::size_t i = 0; i < count; ++i) {
-    const Vector before = at(velocity, i);
+    const Vector before = at(velocity_before, i);
     const Vector resultant = at(force, i);
     const Vector is_free = at(free, i);
     const Vector acceleration = resultant / mass[i];
@@ -57,25 +59,23 @@ double velocity_after(double before, double acceleration, double free, const Mot
           after, axis,
           velocity_after(component(before, axis), component(acceleration, axis), component(is_free, axis), law));
     }
-    put(velocity_before, i, before);
     put(velocity, i, after);
     const Vector damping = componentwise(is_free, (mass[i] / law.time) * (after - before) - resultant);
-    work_behind[i] = 0.5 * dot(damping, at(increment, i));
+    work_behind[i] = 0.5 * dot(damping, law.time_step_before * before);
     work_ahead[i] = law.half_step * dot(damping, after);
   }
 }
 
 [[gnu::target_clones("avx512f", "avx2", "default")]] void accelerate_rotations(
     std::size_t count, const MotionFactors& law, const double* __restrict moment, const double* __restrict inertia,
-    const double* __restrict free, const double* __restrict increment, double* __restrict spin_before,
-    double* __restrict spin, double* __restrict work_behind, double* __restrict work_ahead) {
+    const double* __restrict free, const double* __restrict spin_before, double* __restrict spin,
+    double* __restrict work_behind, double* __restrict work_ahead) {
   for (std::size_t i = 0; i < count; ++i) {
-    const Spin before = spin[i];
+    const Spin before = spin_before[i];
     const Spin after = velocity_after(before, moment[i] / inertia[i], free[i], law);
-    spin_before[i] = before;
     spin[i] = after;
     const Moment damping = free[i] * ((inertia[i] / law.time) * (after - before) - moment[i]);
-    work_behind[i] += 0.5 * damping * increment[i];
+    work_behind[i] += 0.5 * damping * (law.time_step_before * before);
     work_ahead[i] += law.half_step * damping * after;
   }
 }
@@ -105,13 +105,27 @@ double velocity_after(double before, double acceleration, double free, const Mot
   }
 }
 
+/// Sum by lanes, then over lanes.
+[[gnu::target_clones("avx512f", "avx2", "default")]] double lane_sum(const double* __restrict terms,
+                                                                     std::size_t count) {
+  constexpr std::size_t n_lanes = BlockTerms::n_lanes;
+  std::array<double, n_lanes> lanes{};
+  const std::size_t n_whole = count - count % n_lanes;
+  for (std::size_t i = 0; i < n_whole; i += n_lanes) {
+    for (std::size_t lane = 0; lane < n_lanes; ++lane) lanes[lane] += terms[i + lane];
+  }
+  for (std::size_t i = n_whole; i < count; ++i) lanes[i - n_whole] += terms[i];
+  double sum = 0.0;
+  for (const double lane : lanes) sum += lane;
+  return sum;
+}
+
 }  // namespace
 
 TwoSums BlockTerms::sum(std::size_t count) const {
-  std::array<TwoSums, n_lanes> lanes;
-  for (std::size_t i = 0; i < count; ++i) lanes[i % n_lanes] += {first[i], second[i]};
   TwoSums sum;
-  for (const TwoSums& lane : lanes) sum += lane;
+  sum.first = lane_sum(first.data(), count);
+  sum.second = lane_sum(second.data(), count);
   return sum;
 }
 
@@ -119,16 +133,16 @@ void accelerate(TranslationState& bodies, const Field<Vector>& free, const Motio
                 BlockTerms& work) {
   const std::size_t begin = rows.begin;
   accelerate_translations(rows.size(), MotionFactors(law), bodies.force.data() + begin, bodies.mass.data() + begin,
-                          free.data() + begin, bodies.increment.data() + begin, bodies.velocity_before.data() + begin,
-                          bodies.velocity.data() + begin, work.first.data(), work.second.data());
+                          free.data() + begin, bodies.velocity_before.data() + begin, bodies.velocity.data() + begin,
+                          work.first.data(), work.second.data());
 }
 
 void accelerate(RotationState& bodies, const Field<double>& free, const MotionLaw& law, const BodyRows& rows,
                 BlockTerms& work) {
   const std::size_t begin = rows.begin;
   accelerate_rotations(rows.size(), MotionFactors(law), bodies.moment.data() + begin, bodies.inertia.data() + begin,
-                       free.data() + begin, bodies.increment.data() + begin, bodies.spin_before.data() + begin,
-                       bodies.spin.data() + begin, work.first.data(), work.second.data());
+                       free.data() + begin, bodies.spin_before.data() + begin, bodies.spin.data() + begin,
+                       work.first.data(), work.second.data());
 }
 
 void add_rayleigh_terms(const TranslationState& bodies, const Field<Vector>& free, Field<Vector>& force_before,

@@ -43,11 +43,13 @@ struct BlockTerms {
 struct MotionLaw {
   DampingCoefficients damping;
   double acceleration_time = 1.0;  ///< from n-½ to n+½ (s)
+  double time_step_before = 1.0;   ///< from n-1 to n (s)
   double time_step = 1.0;          ///< from n to n+1 (s)
 };
 
-/// v(n+½) from the forces of time n, where bodies are free. Of translations the terms are, to those of rotations are
-/// added, the two halves of the work of damping, see PathSum: what the motion shows beyond the force.
+/// v(n+½) from v(n-½), `velocity_before`, and the forces of time n, where bodies are free. Of translations the terms
+/// are, to those of rotations are added, the two halves of the work of damping, see PathSum: what the motion shows
+/// beyond the force.
 void accelerate(TranslationState& bodies, const Field<Vector>& free, const MotionLaw& law, const BodyRows& rows,
                 BlockTerms& work);
 void accelerate(RotationState& bodies, const Field<double>& free, const MotionLaw& law, const BodyRows& rows,

@@ -1,5 +1,7 @@
 #include "integrator/central_difference.hpp"
 
+#include <utility>
+
 #include "integrator/ledger_lines.hpp"
 #include "integrator/move_bodies.hpp"
 
@@ -8,13 +10,29 @@ namespace {
 
 constexpr const char* step_change_line = "step_change";
 
+/// What was v(n+½) in the step before is v(n-½) now; older velocities are written over.
+void begin_update(TranslationState& bodies) { std::swap(bodies.velocity, bodies.velocity_before); }
+void begin_update(RotationState& bodies) { std::swap(bodies.spin, bodies.spin_before); }
+
 /// Accelerates bodies that turn; returns the halves of the work of damping.
 TwoSums accelerate(TurningState& bodies, const Field<Vector>& free, const Field<double>& rotation_free,
                    const MotionLaw& law) {
-  return sum_of_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
+  begin_update(bodies.translation);
+  begin_update(bodies.rotation);
+  return sum_of_body_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
     BlockTerms work;
     accelerate(bodies.translation, free, law, {begin, end}, work);
     accelerate(bodies.rotation, rotation_free, law, {begin, end}, work);
+    return work.sum(end - begin);
+  });
+}
+
+/// The same of nodes of elements.
+TwoSums accelerate(NodeState& nodes, const Field<Vector>& free, const MotionLaw& law) {
+  begin_update(nodes.translation);
+  return sum_of_body_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
+    BlockTerms work;
+    accelerate(nodes.translation, free, law, {begin, end}, work);
     return work.sum(end - begin);
   });
 }
@@ -54,13 +72,9 @@ void CentralDifference::update_positions(const Model& /*model*/, State& state) c
 
 void CentralDifference::update_velocities(const Model& model, State& state) {
   const DampingCoefficients damping = damping_->coefficients(model, state);
-  const MotionLaw law{damping, state.clock.acceleration_time(), state.clock.time_step};
+  const MotionLaw law{damping, state.clock.acceleration_time(), state.clock.time_step_before, state.clock.time_step};
   TwoSums work = accelerate(state.particles, model.particles.free, model.particles.rotation_free, law);
-  work += sum_of_blocks(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
-    BlockTerms of_nodes;
-    accelerate(state.nodes.translation, model.nodes.free, law, {begin, end}, of_nodes);
-    return of_nodes.sum(end - begin);
-  });
+  work += accelerate(state.nodes, model.nodes.free, law);
   work += accelerate(state.beam_nodes, model.beam_nodes.free, model.beam_nodes.rotation_free, law);
   // Without damping what the motion shows beyond the forces is rounding.
   const bool is_damped = damping.viscous != 0.0 || damping.local != 0.0;

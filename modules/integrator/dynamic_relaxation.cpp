@@ -15,7 +15,7 @@ TwoSums take_quotient(const TurningState& bodies, const Field<Vector>& free, con
                       Field<Vector>& force_before, Field<Moment>& moment_before) {
   force_before.resize(free.size());
   moment_before.resize(free.size());
-  return sum_of_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
+  return sum_of_body_blocks(free.size(), [&](std::size_t begin, std::size_t end) {
     BlockTerms terms;
     add_rayleigh_terms(bodies.translation, free, force_before, {begin, end}, terms);
     add_rayleigh_terms(bodies.rotation, rotation_free, moment_before, {begin, end}, terms);
@@ -28,7 +28,7 @@ TwoSums take_quotient(const Model& model, const State& state, RelaxationState& b
   TwoSums all = take_quotient(state.particles, model.particles.free, model.particles.rotation_free,
                               before.particle_force, before.particle_moment);
   before.node_force.resize(model.nodes.size());
-  all += sum_of_blocks(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
+  all += sum_of_body_blocks(model.nodes.size(), [&](std::size_t begin, std::size_t end) {
     BlockTerms terms;
     add_rayleigh_terms(state.nodes.translation, model.nodes.free, before.node_force, {begin, end}, terms);
     return terms.sum(end - begin);

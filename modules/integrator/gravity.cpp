@@ -7,7 +7,7 @@ namespace ligament {
 namespace {
 
 void add_weight(const Field<double>& mass, const Vector& acceleration, Field<Vector>& force) {
-  parallel_ranges(mass.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_bodies(mass.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) force[i] += mass[i] * acceleration;
   });
 }

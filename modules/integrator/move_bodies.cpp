@@ -29,11 +29,11 @@ void move(RotationState& bodies, double time_step, const Rows& rows) {
 
 void move_bodies(State& state) {
   const double time_step = state.clock.time_step;
-  parallel_ranges(state.particles.rotation.rotation.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_bodies(state.particles.rotation.rotation.size(), [&](std::size_t begin, std::size_t end) {
     move(state.particles.translation, time_step, {begin, end});
     move(state.particles.rotation, time_step, {begin, end});
   });
-  parallel_ranges(state.nodes.translation.displacement.size(), [&](std::size_t begin, std::size_t end) {
+  parallel_bodies(state.nodes.translation.displacement.size(), [&](std::size_t begin, std::size_t end) {
     move(state.nodes.translation, time_step, {begin, end});
   });
   const Rows all_beams{0, state.beam_nodes.rotation.rotation.size()};

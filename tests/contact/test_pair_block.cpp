@@ -58,6 +58,24 @@ TEST_CASE("pairs measured block by block have the bits of pairs measured one by 
   }
 }
 
+TEST_CASE("contacts keep the openings of a block, and add up its slips") {
+  RandomNumbers random(13);
+  const std::size_t size = 101;
+  BlockMotion motion;
+  std::vector<double> opening(size, 0.0);
+  std::vector<ShearVector> shear_displacement;
+  for (std::size_t i = 0; i < size; ++i) {
+    motion.set(i, {{}, random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)});
+    shear_displacement.push_back(random.uniform(-1.0, 1.0));
+  }
+  const std::vector<ShearVector> before = shear_displacement;
+  keep_motion(size, motion, opening.data(), shear_displacement.data());
+  for (std::size_t i = 0; i < size; ++i) {
+    REQUIRE(opening[i] == motion.opening[i]);
+    REQUIRE(shear_displacement[i] == before[i] + motion.slip_increment[i]);
+  }
+}
+
 TEST_CASE("forces at the ends of a block of pairs have the bits of those of pairs one by one") {
   RandomNumbers random(12);
   for (const std::size_t size : {1, 7, 64, 101, 128}) {

@@ -30,17 +30,26 @@ TEST_CASE("ranges of threads cover every row once") {
 
 TEST_CASE("a shared loop has as many ranges as threads and a small one a single range") {
   std::mutex mutex;
+  int n_ranges = 0;
+  const auto count_range = [&](std::size_t, std::size_t) {
+    const std::lock_guard lock(mutex);
+    ++n_ranges;
+  };
   const auto count_ranges = [&](std::size_t count) {
-    int n_ranges = 0;
-    parallel_ranges(count, [&](std::size_t, std::size_t) {
-      const std::lock_guard lock(mutex);
-      ++n_ranges;
-    });
+    n_ranges = 0;
+    parallel_ranges(count, count_range);
+    return n_ranges;
+  };
+  const auto count_body_ranges = [&](std::size_t count) {
+    n_ranges = 0;
+    parallel_bodies(count, count_range);
     return n_ranges;
   };
   threads() = {.count = 3};
   CHECK(count_ranges(smallest_shared_loop) == 3);
   CHECK(count_ranges(smallest_shared_loop - 1) == 1);
+  CHECK(count_body_ranges(smallest_shared_bodies) == 3);
+  CHECK(count_body_ranges(smallest_shared_bodies - 1) == 1);
   threads() = {};
   CHECK(count_ranges(smallest_shared_loop) == 1);
 }

@@ -20,7 +20,6 @@ struct Freedom {
   double force;
   double inertia;
   double free;
-  double increment;
   double velocity;
 };
 
@@ -40,8 +39,8 @@ TranslationState random_translations(RandomNumbers& random) {
     bodies.force.push_back(random.vector(10.0));
     bodies.mass.push_back(random.uniform(0.5, 2.0));
     bodies.increment.push_back(random.vector(1e-3));
-    bodies.velocity.push_back(random.vector(1.0));
-    bodies.velocity_before.push_back({});
+    bodies.velocity_before.push_back(random.vector(1.0));
+    bodies.velocity.push_back({});
   }
   return bodies;
 }
@@ -52,8 +51,8 @@ RotationState random_rotations(RandomNumbers& random) {
     bodies.moment.push_back(random.uniform(-10.0, 10.0));
     bodies.inertia.push_back(random.uniform(0.5, 2.0));
     bodies.increment.push_back(random.uniform(-1e-3, 1e-3));
-    bodies.spin.push_back(random.uniform(-1.0, 1.0));
-    bodies.spin_before.push_back(0.0);
+    bodies.spin_before.push_back(random.uniform(-1.0, 1.0));
+    bodies.spin.push_back(0.0);
   }
   return bodies;
 }
@@ -79,7 +78,7 @@ TEST_CASE("translations: vector loops have the bits of the law of motion of each
   RandomNumbers random(21);
   const Field<Vector> free = random_freedoms();
   for (const DampingCoefficients& damping : dampings) {
-    const MotionLaw law{damping, 0.01, 0.012};
+    const MotionLaw law{damping, 0.01, 0.008, 0.012};
     TranslationState bodies = random_translations(random);
     const TranslationState before = bodies;
     BlockTerms work;
@@ -89,12 +88,11 @@ TEST_CASE("translations: vector loops have the bits of the law of motion of each
       double behind = 0.0;
       for (int axis = 0; axis < dimension; ++axis) {
         const Freedom freedom{component(before.force[i], axis), before.mass[i], component(free[i], axis),
-                              component(before.increment[i], axis), component(before.velocity[i], axis)};
+                              component(before.velocity_before[i], axis)};
         const double after = velocity_after(freedom, law);
         REQUIRE(component(bodies.velocity[i], axis) == after);
-        REQUIRE(component(bodies.velocity_before[i], axis) == freedom.velocity);
         const double shown = freedom.inertia * (after - freedom.velocity) / law.acceleration_time;
-        behind += 0.5 * freedom.free * (shown - freedom.force) * freedom.increment;
+        behind += 0.5 * freedom.free * (shown - freedom.force) * law.time_step_before * freedom.velocity;
       }
       REQUIRE(std::abs(work.first[i - 1] - behind) < largest_rounding);
     }
@@ -105,21 +103,35 @@ TEST_CASE("rotations: vector loops have the bits of the law of motion of each fr
   RandomNumbers random(22);
   const Field<double> free = random_freedom();
   for (const DampingCoefficients& damping : dampings) {
-    const MotionLaw law{damping, 0.01, 0.012};
+    const MotionLaw law{damping, 0.01, 0.008, 0.012};
     RotationState bodies = random_rotations(random);
     const RotationState before = bodies;
     BlockTerms work{};
     accelerate(bodies, free, law, {0, n_bodies}, work);
     for (std::size_t i = 0; i < n_bodies; ++i) {
-      const Freedom freedom{before.moment[i], before.inertia[i], free[i], before.increment[i], before.spin[i]};
+      const Freedom freedom{before.moment[i], before.inertia[i], free[i], before.spin_before[i]};
       const double after = velocity_after(freedom, law);
       REQUIRE(bodies.spin[i] == after);
-      REQUIRE(bodies.spin_before[i] == freedom.velocity);
       const double shown = freedom.inertia * (after - freedom.velocity) / law.acceleration_time;
       const double ahead = 0.5 * law.time_step * freedom.free * (shown - freedom.force) * after;
       REQUIRE(std::abs(work.second[i] - ahead) < largest_rounding);
     }
   }
+}
+
+TEST_CASE("terms are summed by lanes, then over lanes") {
+  RandomNumbers random(24);
+  BlockTerms terms;
+  std::array<TwoSums, BlockTerms::n_lanes> lanes;
+  for (std::size_t i = 0; i < n_bodies; ++i) {
+    terms.first[i] = random.uniform(-1.0, 1.0);
+    terms.second[i] = random.uniform(-1.0, 1.0);
+    lanes[i % BlockTerms::n_lanes] += {terms.first[i], terms.second[i]};
+  }
+  TwoSums expected;
+  for (const TwoSums& lane : lanes) expected += lane;
+  CHECK(terms.sum(n_bodies).first == expected.first);
+  CHECK(terms.sum(n_bodies).second == expected.second);
 }
 
 TEST_CASE("terms of the Rayleigh quotient, and forces remembered") {

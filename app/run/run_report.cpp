@@ -9,7 +9,7 @@
 namespace ligament {
 namespace {
 
-std::string describe_time_step(const Case& input, const Simulation& simulation) {
+std::string describe_motion(const Case& input, const Simulation& simulation) {
   if (simulation.is_quasi_static()) {
     return fmt::format("increments of loading, each brought to equilibrium: {}", input.solver.method);
   }
@@ -67,7 +67,7 @@ std::vector<std::string> describe(const Case& input, const BuiltSimulation& buil
     for (const ReportEntry& entry : entries) line += fmt::format(" {} = {:.6g}", entry.name, entry.value);
     lines.push_back(std::move(line));
   }
-  lines.push_back(describe_time_step(input, built.simulation));
+  lines.push_back(describe_motion(input, built.simulation));
   return lines;
 }
 

@@ -1,7 +1,5 @@
 #include "contact/block_motion.hpp"
 
-#include <algorithm>
-
 namespace ligament {
 
 [[gnu::target_clones("avx512f", "avx2", "default")]] void keep_motion(std::size_t size,

@@ -33,6 +33,7 @@ auto sum_of_blocks(std::size_t count, bool shared, Partial&& partial) {
   return total;
 }
 
+/// The same, shared where that is faster.
 template <class Partial>
 auto sum_of_blocks(std::size_t count, Partial&& partial) {
   return sum_of_blocks(count, is_shared(count), partial);

@@ -32,7 +32,8 @@ class NearDiscs {
   [[nodiscard]] std::span<const DiscPair> pairs() const { return pairs_; }
 
  private:
-  /// Two discs approach each other by at most 2√2 times the largest component.
+  /// Two discs approach each other by at most 2√2 times the largest component. When a list is renewed decides the order
+  /// of sums: the bits of a packing hang on this number, and on the skin that it is given.
   static double most_moved_in(double skin) { return 0.35 * skin; }
 
   [[nodiscard]] bool is_exhausted(const Field<Vector>& centres) const;

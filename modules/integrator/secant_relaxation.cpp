@@ -188,8 +188,9 @@ std::vector<double> SecantRelaxation::hold_gauge(const Course& course, SpringPro
   const std::size_t n = springs_.size();
   std::vector<double> time(n, 0.0);
   if (course.gauge.empty()) return time;
-  for (std::size_t j = 0; j < n; ++j)
+  for (std::size_t j = 0; j < n; ++j) {
     time[j] = flexibility_.response(springs_[j], course.gauge_half) / course.gauge_rate;
+  }
   for (std::size_t i = 0; i < n; ++i) {
     const double along = flexibility_.stretch(springs_[i], direction_);
     for (std::size_t j = 0; j < n; ++j) problem.flexibility[i * n + j] -= along * time[j];

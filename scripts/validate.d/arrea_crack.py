@@ -16,7 +16,7 @@ def breaks_elsewhere(beams):
         return []
     stresses = ", ".join(f"{beam.bending_stress_over_left_support() * 1e-6:.2f}" for beam in beams
                          if not beam.breaks_over_left_support())
-    return [f"{text} Its notch had just begun to run; the mouth slides back, which ends the run. In the others that stress "
+    return [f"{text} The mouth slides back then, which ends the run. In the others that stress "
             f"stays below ({stresses} MPa).", ""]
 
 

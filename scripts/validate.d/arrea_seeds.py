@@ -73,8 +73,9 @@ def run_rows(beams, verdicts):
     yield row_of_all("increments", [beam.summary["steps"] for beam in beams], "{:.0f}", "", "")
     yield row_of_all("evaluations", [beam.summary["n_evaluations"] for beam in beams], "{:.0f}", "", "")
     yield row_of_all("factorisations", [beam.summary["n_factorisations"] for beam in beams], "{:.0f}", "", "")
-    times = [beam.run.processor for beam in beams]
-    row = row_below(BEAM, "seconds on the processor, packing included", times, LONGEST_TIME, "{:.0f}", verdicts)
+    yield row_of_all("seconds on the processor", [beam.run.processor for beam in beams], "{:.0f}", "", "")
+    times = [beam.run.wall for beam in beams]
+    row = row_below(BEAM, "seconds, packing included", times, LONGEST_TIME, "{:.0f}", verdicts)
     row[-1] += f"; goal {GOAL_OF_TIME:.0f} s: " + ("met" if max(times) <= GOAL_OF_TIME else "not met")
     yield row
 

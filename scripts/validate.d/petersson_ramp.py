@@ -5,7 +5,7 @@ from validation import ROOT, Run, call, table
 
 SEED = 1
 LAST_DEFLECTION = 2.7e-4  # m, beyond the peak
-RAMPS = ((0.5, 20000, True), (5.0, 2000, False), (20.0, 500, False))
+RAMPS = ((0.5, 20000, True), (5.0, 2000, True), (20.0, 500, False))
 """Velocity of the platen (nm a step), time of its rise (s), whether the peak is asked."""
 
 

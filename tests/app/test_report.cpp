@@ -64,6 +64,7 @@ TEST_CASE("a notch is drawn where it was cut, with all of the beam and with its 
   const std::string beam = LIGAMENT_SOURCE_DIR "/config/petersson_beam.toml";
   const Finished stopped = place.run({"run", beam, "--output", "run", "--quiet", "--stop-after-steps", "1"});
   CAPTURE(stopped.err);
+  REQUIRE(stopped.code == 0);
   REQUIRE(place.run({"report", "run"}).code == 0);
   for (const std::string name : {"cracks", "cracks_close"}) {
     CHECK(contains(content_of(place / ("run/report/" + name + ".svg")), ">notch<"));

@@ -6,6 +6,7 @@
 #include <boost/archive/binary_iarchive.hpp>
 #include <boost/archive/binary_oarchive.hpp>
 #include <boost/serialization/binary_object.hpp>
+#include <numeric>
 #include <sstream>
 #include <streambuf>
 #include <type_traits>
@@ -152,7 +153,10 @@ bool all_below(const Field<Index>& rows, std::size_t count) {
 /// Rows that point outside of the model would be followed blindly by the step.
 void check_contacts(const char* name, const ContactTable& contacts, const Model& model, std::size_t n_first,
                     std::size_t n_second) {
-  bool is_sound = all_below(contacts.law, model.laws.size()) && all_below(contacts.first, n_first) &&
+  const auto n_history = std::accumulate(model.laws.begin(), model.laws.end(), std::size_t{0},
+                                         [](std::size_t sum, const LawBinding& law) { return sum + law.n_history; });
+  bool is_sound = contacts.law_begin.size() == model.laws.size() + 1 && contacts.history.size() == n_history &&
+                  all_below(contacts.law, model.laws.size()) && all_below(contacts.first, n_first) &&
                   all_below(contacts.second, n_second) && std::is_sorted(contacts.law.begin(), contacts.law.end());
   visit_rows(contacts, [&](const char*, const auto& field, FieldRole) {
     is_sound = is_sound && field.size() == contacts.size();

@@ -58,10 +58,21 @@ std::string header_to_text(const CheckpointHeader& header) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// Time alone is a fraction; the library would convert one to a whole number unchecked.
+void check_numbers(const std::filesystem::path& path, const nlohmann::json& header) {
+  const nlohmann::json numbers = header.flatten();
+  for (const auto& [place, value] : numbers.items()) {
+    if (value.is_number_float() && place != "/time") {
+      fail(path, fmt::format("has {} in its header at '{}', where a whole number belongs", value.dump(), place));
+    }
+  }
+}
+
 CheckpointHeader header_from_text(const std::filesystem::path& path, std::string_view text) {
   try {
     CheckpointHeader header;
     const auto json = nlohmann::json::parse(text);
+    check_numbers(path, json);
     visit_header(header, [&](const char* name, auto& value) { json.at(name).get_to(value); });
     return header;
   } catch (const nlohmann::json::exception& error) {

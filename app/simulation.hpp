@@ -68,7 +68,10 @@ class Simulation {
   [[nodiscard]] const Model& model() const { return model_; }
   [[nodiscard]] const State& state() const { return state_; }
   /// Replaces the state by one read from a checkpoint of the same case.
-  void restore(State state) { state_ = std::move(state); }
+  void restore(State state) {
+    state_ = std::move(state);
+    spare_travel_ = 0.0;
+  }
   /// Increments of loading end without equilibrium as soon as this says so.
   void interrupt_increments_by(std::function<bool()> is_interrupted) { is_interrupted_ = std::move(is_interrupted); }
   /// Who looks on while increments of loading search for their equilibrium.
@@ -82,7 +85,8 @@ class Simulation {
   void prepare_state();
   void choose_time_step();
   void check_time_step();
-  void check_travel() const;
+  void check_travel(const StepTravel& travel) const;
+  bool update_contacts(const StepTravel& travel);
   void add_forces();
   void add_applied_loads();
   [[nodiscard]] ForceMagnitudes internal_forces() const;
@@ -97,6 +101,7 @@ class Simulation {
   Modules modules_;
   TimeStepChoice choice_;
   StepLimits step_limits_;
+  double spare_travel_ = 0.0;  ///< how far every body can go before the search has to look at them (m)
   std::function<bool()> is_interrupted_ = [] { return false; };
   IncrementObserver observer_;
   std::string limiting_body_;

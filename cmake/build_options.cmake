@@ -22,8 +22,7 @@ target_compile_options(ligament_options INTERFACE
   -ffp-contract=off
   # Nobody asks for errno after a square root; without it a root is one instruction, with the same bits.
   -fno-math-errno)
-# Of OpenMP only the pragmas of core/parallel.hpp are used.
-target_link_libraries(ligament_options INTERFACE OpenMP::OpenMP_CXX)
+target_link_libraries(ligament_options INTERFACE Threads::Threads)
 if(LIGAMENT_AUDIT)
   target_compile_definitions(ligament_options INTERFACE LIGAMENT_AUDIT=1)
 endif()

@@ -6,7 +6,7 @@ find_package(HDF5 REQUIRED COMPONENTS C)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
-find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(Threads REQUIRED)
 
 # UDUNITS-2 and xxHash ship neither a CMake package nor a find module.
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)

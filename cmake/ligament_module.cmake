@@ -38,9 +38,7 @@ function(ligament_test folder)
   elseif(NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     target_compile_options(test_${name} PRIVATE -O1)
   endif()
-  # A name that selects no test case would pass unnoticed. Tests share the processors with each other: threads that wait
-  # are to leave them to others.
+  # A name that selects no test case would pass unnoticed.
   doctest_discover_tests(test_${name} TEST_PREFIX "${name}: " ADD_LABELS 1
-    PROPERTIES FAIL_REGULAR_EXPRESSION "test cases: +0 " TIMEOUT 600
-    ENVIRONMENT "OMP_WAIT_POLICY=passive")
+    PROPERTIES FAIL_REGULAR_EXPRESSION "test cases: +0 " TIMEOUT 600)
 endfunction()

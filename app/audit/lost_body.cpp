@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 
 #include "contact/pairings.hpp"
-#include "core/block_sum.hpp"
 #include "mesh/element_properties.hpp"
 
 namespace ligament {
@@ -22,25 +20,6 @@ bool is_finite_row(const TranslationState& bodies, std::size_t i) {
 
 bool is_finite_row(const RotationState& bodies, std::size_t i) {
   return std::isfinite(bodies.rotation[i]) && std::isfinite(bodies.spin[i]) && std::isfinite(bodies.moment[i]);
-}
-
-bool are_finite(const Field<Vector>& values) {
-  return std::all_of(values.begin(), values.end(), [](const Vector& value) { return is_finite(value); });
-}
-
-/// How many of these travels have a square beyond this (m2), and how many turns a size beyond that (rad).
-[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(std::size_t count, const Vector* travel,
-                                                                               double square, const Rotation* turn,
-                                                                               double largest) {
-  std::int64_t n_beyond = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    double travel_square = 0.0;
-    for (int axis = 0; axis < dimension; ++axis)
-      travel_square += component(travel[i], axis) * component(travel[i], axis);
-    n_beyond += travel_square <= square ? 0 : 1;
-    n_beyond += std::abs(turn[i]) <= largest ? 0 : 1;
-  }
-  return n_beyond;
 }
 
 std::string place(const Vector& rest, const Vector& displacement) {
@@ -127,15 +106,8 @@ StepLimits step_limits(const Model& model) {
   return {.travel = radii.empty() ? 0.0 : 2.0 * *std::min_element(radii.begin(), radii.end())};
 }
 
-bool are_within(const State& state, const StepLimits& limits) {
-  const Field<Vector>& travel = state.particles.translation.increment;
-  const Field<Rotation>& turn = state.particles.rotation.increment;
-  const std::int64_t n_beyond = sum_of_body_blocks(travel.size(), [&](std::size_t begin, std::size_t end) {
-    return count_beyond(end - begin, travel.data() + begin, limits.travel * limits.travel, turn.data() + begin,
-                        limits.turn);
-  });
-  return n_beyond == 0 && are_finite(state.nodes.translation.increment) &&
-         are_finite(state.beam_nodes.translation.increment);
+bool is_within(const StepTravel& travel, const StepLimits& limits) {
+  return travel.particles <= limits.travel && travel.turn <= limits.turn && std::isfinite(travel.nodes);
 }
 
 std::string describe_infinite_body(const Model& model, const State& state) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/integrator.hpp"
 #include "core/model.hpp"
 #include "core/state.hpp"
 
@@ -16,9 +17,8 @@ struct StepLimits {
 };
 StepLimits step_limits(const Model& model);
 
-/// Whether all bodies have moved within the limits since contacts last stored their state; a number that is not finite
-/// is beyond any.
-bool are_within(const State& state, const StepLimits& limits);
+/// Whether all bodies have moved within the limits in a step.
+bool is_within(const StepTravel& travel, const StepLimits& limits);
 
 /// The first body with a number that is not finite, where it is, and which of its contacts or elements has the largest
 /// force or stress; empty if all are finite.

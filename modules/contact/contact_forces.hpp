@@ -122,6 +122,7 @@ class ContactForces : public ForceProvider {
   static bool has_shared_bodies(const Model& model, const ContactTable& contacts, const LawBlock& block,
                                 const TouchedBodies& before) {
     if (before.is_empty()) return false;
+    if constexpr (Pairing::are_ordered) return before.may_include(Pairing::end_kinds[0], contacts.first[block.begin]);
     for (std::size_t row = block.begin; row < block.end; ++row) {
       const auto bodies = Pairing::end_bodies(model, contacts, row);
       for (std::size_t end = 0; end < Pairing::n_ends; ++end) {

@@ -13,6 +13,7 @@
 #include "contact/seats.hpp"
 #include "contact/sliding_contacts.hpp"
 #include "core/block_sum.hpp"
+#include "core/largest.hpp"
 
 namespace ligament {
 namespace {
@@ -23,29 +24,32 @@ Field<Vector> current_positions(const Field<Vector>& rest, const Field<Vector>& 
   return positions;
 }
 
-/// How many of the bodies have a square of their travel that is not at most this (m2).
-[[gnu::target_clones("avx512f", "avx2", "default")]] std::int64_t count_beyond(std::size_t count,
-                                                                               const Vector* __restrict displacement,
-                                                                               const Vector* __restrict last,
-                                                                               double square) {
-  std::int64_t n_beyond = 0;
+[[gnu::target_clones("avx512f", "avx2", "default")]] Largest largest_square(std::size_t count,
+                                                                            const Vector* __restrict displacement,
+                                                                            const Vector* __restrict last) {
+  Largest square;
   for (std::size_t i = 0; i < count; ++i) {
-    double travel_square = 0.0;
+    double sum = 0.0;
     for (int axis = 0; axis < dimension; ++axis) {
       const double travel = component(displacement[i], axis) - component(last[i], axis);
-      travel_square += travel * travel;
+      sum += travel * travel;
     }
-    n_beyond += travel_square <= square ? 0 : 1;
+    square.see(sum);
   }
-  return n_beyond;
+  return square;
 }
 
-/// Whether a body has moved farther than this (m) since the last update; what is not a number has.
-bool has_travelled(const Field<Vector>& displacement, const Field<Vector>& last, double distance) {
-  const std::int64_t n_travelled = sum_of_body_blocks(last.size(), [&](std::size_t begin, std::size_t end) {
-    return count_beyond(end - begin, displacement.data() + begin, last.data() + begin, distance * distance);
+Largest largest_square(const Field<Vector>& displacement, const Field<Vector>& last) {
+  return sum_of_body_blocks(last.size(), [&](std::size_t begin, std::size_t end) {
+    return largest_square(end - begin, displacement.data() + begin, last.data() + begin);
   });
-  return n_travelled > 0;
+}
+
+/// The square of how far bodies have gone since the last update, at most (m2); not a number if one is none.
+double largest_travel_square(const State& state) {
+  Largest square = largest_square(state.particles.translation.displacement, state.search.particle_displacement);
+  square += largest_square(state.nodes.translation.displacement, state.search.node_displacement);
+  return square.value();
 }
 
 /// Gap up to which a pair of particles is bonded at set-up: the larger one of their zones.
@@ -207,18 +211,17 @@ void GridContactDetector::bond(Model& model, State& state) {
 }
 
 bool GridContactDetector::update(const Model& model, State& state) {
-  // Two bodies may approach each other from both sides.
-  const double distance = 0.5 * skin_;
-  if (!has_travelled(state.particles.translation.displacement, state.search.particle_displacement, distance) &&
-      !has_travelled(state.nodes.translation.displacement, state.search.node_displacement, distance)) {
-    return false;
-  }
+  if (largest_travel_square(state) <= reach() * reach()) return false;
   rebuild_particle_contacts(model, state, false);
   rebuild_interface_contacts(model, state, false);
   state.search.particle_displacement = state.particles.translation.displacement;
   state.search.node_displacement = state.nodes.translation.displacement;
   ++state.search.n_updates;
   return true;
+}
+
+double GridContactDetector::spare_travel(const Model& /*model*/, const State& state) const {
+  return reach() - std::sqrt(largest_travel_square(state));
 }
 
 void GridContactDetector::rebuild_particle_contacts(const Model& model, State& state, bool is_setup) const {

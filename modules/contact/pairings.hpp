@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "contact/coming_rows.hpp"
 #include "contact/contact_bound.hpp"
 #include "contact/pair_block.hpp"
 #include "core/model.hpp"
@@ -40,6 +41,8 @@ void find_end_forces_one_by_one(const ContactTable& contacts, const LawBlock& bl
 
 struct ParticlePairing {
   static constexpr const char* name = "contacts";
+  /// Whether both bodies stand in one table, the first one, by which contacts are sorted, before the second.
+  static constexpr bool are_ordered = true;
   static auto& table(auto& state) { return state.particle_contacts; }
 
   static PointPairMotion centres(const Model& model, const State& state, std::size_t row) {
@@ -64,12 +67,17 @@ struct ParticlePairing {
   }
 
   static void measure(const Model& model, const State& state, const LawBlock& block, BlockMotion& motion) {
+    const ContactTable& contacts = state.particle_contacts;
+    const ComingRows coming(contacts, block.end);
     PairBlock pairs;
     pairs.size = block.size();
-    for (std::size_t i = 0; i < pairs.size; ++i) {
-      pairs.set(i, centres(model, state, block.begin + i), discs(model, state, block.begin + i));
+    for (std::size_t begin = 0; begin < pairs.size; begin += ComingRows::at_a_time) {
+      coming.ask_for(begin);
+      const std::size_t end = std::min(begin + ComingRows::at_a_time, pairs.size);
+      for (std::size_t i = begin; i < end; ++i) {
+        pairs.set(i, centres(model, state, block.begin + i), discs(model, state, block.begin + i));
+      }
     }
-    const ContactTable& contacts = state.particle_contacts;
     measure_pairs(
         pairs,
         {&contacts.rest_distance[block.begin], &contacts.initial_gap[block.begin], &contacts.opening[block.begin]},
@@ -110,6 +118,7 @@ struct ParticlePairing {
 
 struct FacetPairing {
   static constexpr const char* name = "interface";
+  static constexpr bool are_ordered = false;
   static auto& table(auto& state) { return state.facet_contacts; }
 
   static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
@@ -164,6 +173,7 @@ struct FacetPairing {
 
 struct CornerPairing {
   static constexpr const char* name = "interface";
+  static constexpr bool are_ordered = false;
   static auto& table(auto& state) { return state.corner_contacts; }
 
   static ContactMotion motion(const Model& model, const State& state, std::size_t row) {
@@ -213,6 +223,7 @@ struct CornerPairing {
 /// A node of elements on a wall: a particle without a radius.
 struct SeatPairing {
   static constexpr const char* name = "interface";
+  static constexpr bool are_ordered = false;
   static auto& table(auto& state) { return state.seat_contacts; }
 
   static ContactMotion motion(const Model& model, const State& state, std::size_t row) {

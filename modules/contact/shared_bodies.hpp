@@ -17,9 +17,14 @@ struct TouchedBodies {
   }
 };
 
+/// Largest of these rows, -1 if there are none.
+Index largest_row(const Index* rows, std::size_t count);
+
 /// Those of the contacts in rows [begin, end) of a table.
 template <class Pairing>
 TouchedBodies touched_bodies(const Model& model, const ContactTable& contacts, std::size_t begin, std::size_t end) {
+  // Of two particles the second is that with the larger row.
+  if constexpr (Pairing::are_ordered) return {largest_row(contacts.second.data() + begin, end - begin) + 1, 0};
   TouchedBodies touched;
   for (std::size_t row = begin; row < end; ++row) {
     const auto bodies = Pairing::end_bodies(model, contacts, row);

@@ -14,6 +14,9 @@ class ContactDetector : public EnergySource {
 
   /// Finds new contacts and drops old ones if bodies have moved far enough for it; true if it did.
   virtual bool update(const Model& model, State& state) = 0;
+
+  /// How far every body can still go (m) before an update could do anything; 0 where that is not known.
+  [[nodiscard]] virtual double spare_travel(const Model& /*model*/, const State& /*state*/) const { return 0.0; }
 };
 
 }  // namespace ligament

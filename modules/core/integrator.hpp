@@ -4,6 +4,13 @@
 
 namespace ligament {
 
+/// How far bodies have gone in a step, at most; not a number if one of their numbers is none.
+struct StepTravel {
+  double particles = 0.0;  ///< (m)
+  double turn = 0.0;       ///< of particles (rad)
+  double nodes = 0.0;      ///< of elements, walls and beams (m)
+};
+
 /// The law of motion, Eqs (1)-(2).
 class Integrator : public EnergySource {
  public:
@@ -16,7 +23,7 @@ class Integrator : public EnergySource {
   virtual void use_stiffness(const Model& /*model*/, const State& /*state*/, const StiffnessSum& /*stiffness*/) {}
 
   /// x(n) = x(n-1) + v(n-½) Δt.
-  virtual void update_positions(const Model& model, State& state) const = 0;
+  virtual StepTravel update_positions(const Model& model, State& state) const = 0;
 
   /// v(n+½) from the forces of time n, for every freedom that is not prescribed.
   virtual void update_velocities(const Model& model, State& state) = 0;

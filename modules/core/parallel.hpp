@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <exception>
+#include <mutex>
 
-/// Loops over rows that threads share. The only file that knows OpenMP. Results must not show which thread took which
-/// rows: a row writes what is its own, and sums go through block_sum.
+#include "core/thread_team.hpp"
+
+/// Loops over rows that threads share. Results must not show which thread took which rows: a row writes what is its
+/// own, and sums go through block_sum.
 namespace ligament {
 
 /// How many threads share a loop, and whether they also share those that are too small to gain from it (for tests).
@@ -40,19 +43,23 @@ void parallel_ranges(std::size_t count, bool shared, Body&& body) {
     if (count > 0) body(std::size_t{0}, count);
     return;
   }
-  const int n_ranges = threads().count;
+  const auto n_ranges = static_cast<std::size_t>(threads().count);
   std::exception_ptr failure;
-#pragma omp parallel for num_threads(n_ranges) schedule(static, 1)
-  for (int range = 0; range < n_ranges; ++range) {
+  std::mutex one_at_a_time;
+  auto do_range = [&](std::size_t range) {
     try {
-      const std::size_t begin = count * static_cast<std::size_t>(range) / static_cast<std::size_t>(n_ranges);
-      const std::size_t end = count * static_cast<std::size_t>(range + 1) / static_cast<std::size_t>(n_ranges);
+      const std::size_t begin = count * range / n_ranges;
+      const std::size_t end = count * (range + 1) / n_ranges;
       if (begin < end) body(begin, end);
     } catch (...) {
-#pragma omp critical(ligament_failure)
+      const std::lock_guard lock(one_at_a_time);
       failure = std::current_exception();
     }
-  }
+  };
+  ThreadTeam::of_the_process().share(
+      threads().count,
+      [](void* task, int range) { (*static_cast<decltype(do_range)*>(task))(static_cast<std::size_t>(range)); },
+      &do_range);
   if (failure) std::rethrow_exception(failure);
 }
 

@@ -68,7 +68,9 @@ double kinetic_energy(const RotationState& bodies) {
 
 }  // namespace
 
-void CentralDifference::update_positions(const Model& /*model*/, State& state) const { move_bodies(state); }
+StepTravel CentralDifference::update_positions(const Model& /*model*/, State& state) const {
+  return move_bodies(state);
+}
 
 void CentralDifference::update_velocities(const Model& model, State& state) {
   const DampingCoefficients damping = damping_->coefficients(model, state);

@@ -14,7 +14,7 @@ class CentralDifference : public Integrator {
   explicit CentralDifference(std::unique_ptr<Damping> damping) : damping_(std::move(damping)) {}
 
   void declare(Parameters& parameters) override { damping_->declare(parameters); }
-  void update_positions(const Model& model, State& state) const override;
+  StepTravel update_positions(const Model& model, State& state) const override;
   void update_velocities(const Model& model, State& state) override;
   [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
   void book_work(const Model& model, State& state) override;

@@ -1,44 +1,89 @@
 #include "integrator/move_bodies.hpp"
 
-#include "core/parallel.hpp"
+#include <cmath>
+
+#include "core/block_sum.hpp"
+#include "core/largest.hpp"
 
 namespace ligament {
 namespace {
 
-/// Rows of a table.
-struct Rows {
-  std::size_t begin;
-  std::size_t end;
+/// Largest squares of travels (m2) and turns (rad2).
+struct LargestSquares {
+  Largest travel;
+  Largest turn;
+  LargestSquares& operator+=(const LargestSquares& other) {
+    travel += other.travel;
+    turn += other.turn;
+    return *this;
+  }
 };
 
-void move(TranslationState& bodies, double time_step, const Rows& rows) {
-  for (std::size_t i = rows.begin; i < rows.end; ++i) {
-    bodies.increment[i] = time_step * bodies.velocity[i];
-    bodies.displacement[i] += bodies.increment[i];
+[[gnu::target_clones("avx512f", "avx2", "default")]] Largest move_translations(std::size_t count, double time_step,
+                                                                               const Vector* __restrict velocity,
+                                                                               Vector* __restrict increment,
+                                                                               Vector* __restrict displacement) {
+  Largest square;
+  for (std::size_t i = 0; i < count; ++i) {
+    double sum = 0.0;
+    for (int axis = 0; axis < dimension; ++axis) {
+      const double step = time_step * component(velocity[i], axis);
+      set_component(increment[i], axis, step);
+      set_component(displacement[i], axis, component(displacement[i], axis) + step);
+      sum += step * step;
+    }
+    square.see(sum);
   }
+  return square;
 }
 
-void move(RotationState& bodies, double time_step, const Rows& rows) {
-  for (std::size_t i = rows.begin; i < rows.end; ++i) {
-    bodies.increment[i] = time_step * bodies.spin[i];
-    bodies.rotation[i] += bodies.increment[i];
+[[gnu::target_clones("avx512f", "avx2", "default")]] Largest move_rotations(std::size_t count, double time_step,
+                                                                            const Spin* __restrict spin,
+                                                                            Rotation* __restrict increment,
+                                                                            Rotation* __restrict rotation) {
+  Largest square;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Rotation step = time_step * spin[i];
+    increment[i] = step;
+    rotation[i] += step;
+    square.see(step * step);
   }
+  return square;
+}
+
+Largest move(TranslationState& bodies, double time_step, std::size_t begin, std::size_t end) {
+  return move_translations(end - begin, time_step, bodies.velocity.data() + begin, bodies.increment.data() + begin,
+                           bodies.displacement.data() + begin);
+}
+
+Largest move(RotationState& bodies, double time_step, std::size_t begin, std::size_t end) {
+  return move_rotations(end - begin, time_step, bodies.spin.data() + begin, bodies.increment.data() + begin,
+                        bodies.rotation.data() + begin);
+}
+
+LargestSquares move(TurningState& bodies, double time_step) {
+  return sum_of_body_blocks(bodies.rotation.rotation.size(), [&](std::size_t begin, std::size_t end) {
+    return LargestSquares{move(bodies.translation, time_step, begin, end),
+                          move(bodies.rotation, time_step, begin, end)};
+  });
+}
+
+Largest move(NodeState& nodes, double time_step) {
+  return sum_of_body_blocks(nodes.translation.displacement.size(), [&](std::size_t begin, std::size_t end) {
+    return move(nodes.translation, time_step, begin, end);
+  });
 }
 
 }  // namespace
 
-void move_bodies(State& state) {
+StepTravel move_bodies(State& state) {
   const double time_step = state.clock.time_step;
-  parallel_bodies(state.particles.rotation.rotation.size(), [&](std::size_t begin, std::size_t end) {
-    move(state.particles.translation, time_step, {begin, end});
-    move(state.particles.rotation, time_step, {begin, end});
-  });
-  parallel_bodies(state.nodes.translation.displacement.size(), [&](std::size_t begin, std::size_t end) {
-    move(state.nodes.translation, time_step, {begin, end});
-  });
-  const Rows all_beams{0, state.beam_nodes.rotation.rotation.size()};
-  move(state.beam_nodes.translation, time_step, all_beams);
-  move(state.beam_nodes.rotation, time_step, all_beams);
+  const LargestSquares particles = move(state.particles, time_step);
+  Largest nodes = move(state.nodes, time_step);
+  nodes += move(state.beam_nodes, time_step).travel;
+  return {.particles = std::sqrt(particles.travel.value()),
+          .turn = std::sqrt(particles.turn.value()),
+          .nodes = std::sqrt(nodes.value())};
 }
 
 }  // namespace ligament

@@ -20,7 +20,9 @@ void TwoLevelRelaxation::use_stiffness(const Model& model, const State& state, c
   mass_.emplace(model, state, stiffness, coarse_cell_);
 }
 
-void TwoLevelRelaxation::update_positions(const Model& /*model*/, State& state) const { move_bodies(state); }
+StepTravel TwoLevelRelaxation::update_positions(const Model& /*model*/, State& state) const {
+  return move_bodies(state);
+}
 
 void TwoLevelRelaxation::update_velocities(const Model& model, State& state) {
   RelaxationState& memory = state.relaxation;

@@ -19,7 +19,7 @@ class TwoLevelRelaxation : public Integrator {
   [[nodiscard]] bool needs_stiffness() const override { return true; }
   void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) override;
 
-  void update_positions(const Model& model, State& state) const override;
+  StepTravel update_positions(const Model& model, State& state) const override;
   void update_velocities(const Model& model, State& state) override;
   [[nodiscard]] std::vector<EnergyTerm> energies(const Model& model, const State& state) const override;
   void book_work(const Model& model, State& state) override;

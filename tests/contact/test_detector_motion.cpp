@@ -193,3 +193,18 @@ TEST_CASE("a body whose position is not a number stops the run") {
   SUBCASE("node") { displace(swarm.state.nodes.translation, 1, {0.0, nan}); }
   CHECK_THROWS_AS(swarm.detector.update(swarm.model, swarm.state), DivergenceError);
 }
+
+TEST_CASE("what bodies can still go before an update is half the skin less what one has gone") {
+  Swarm swarm;
+  CHECK(swarm.detector.spare_travel(swarm.model, swarm.state) == 0.5 * skin);
+  displace(swarm.state.particles.translation, 7, {0.3 * skin, 0.0});
+  displace(swarm.state.nodes.translation, 2, {0.0, -0.4 * skin});
+  CHECK(swarm.detector.spare_travel(swarm.model, swarm.state) == doctest::Approx(0.1 * skin));
+  CHECK_FALSE(swarm.detector.update(swarm.model, swarm.state));
+  displace(swarm.state.particles.translation, 3, {0.0, 0.6 * skin});
+  CHECK(swarm.detector.spare_travel(swarm.model, swarm.state) < 0.0);
+  CHECK(swarm.detector.update(swarm.model, swarm.state));
+  CHECK(swarm.detector.spare_travel(swarm.model, swarm.state) == 0.5 * skin);
+  displace(swarm.state.particles.translation, 3, {std::numeric_limits<double>::quiet_NaN(), 0.0});
+  CHECK_FALSE(swarm.detector.spare_travel(swarm.model, swarm.state) > 0.0);
+}

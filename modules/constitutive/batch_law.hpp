@@ -79,8 +79,16 @@ class BatchLaw final : public ConstitutiveLaw {
     const ContactInput input{batch.opening[i], batch.slip_increment[i], batch.normal_stiffness[i],
                              batch.shear_stiffness[i], batch.area[i]};
     ContactForce force{batch.normal_force[i], batch.shear_force[i], batch.bond[i]};
+    const auto remembered = [&](std::size_t k) { return batch.history[k][i]; };
+    if constexpr (requires { law_.keeps_history(input, force, remembered); }) {
+      if (law_.keeps_history(input, force, remembered)) {
+        batch.normal_force[i] = force.normal;
+        batch.shear_force[i] = force.shear;
+        return;
+      }
+    }
     std::array<double, Law::n_history> history;
-    for (std::size_t k = 0; k < Law::n_history; ++k) history[k] = batch.history[k][i];
+    for (std::size_t k = 0; k < Law::n_history; ++k) history[k] = remembered(k);
     law_.evaluate(input, force, history);
     batch.normal_force[i] = force.normal;
     batch.shear_force[i] = force.shear;

@@ -2,6 +2,7 @@
 
 #include "constitutive/coupled_modes.hpp"
 #include "constitutive/mohr_coulomb_strength.hpp"
+#include "constitutive/strides.hpp"
 
 namespace ligament {
 
@@ -47,7 +48,32 @@ struct MohrCoulomb : MohrCoulombStrength {
 
   void declare(Parameters& parameters);
 
+  /// Takes the step of a contact without intact bond on which nothing grows or slips: its history, of which
+  /// remembered(k) is a variable, stays as it is. False if it does not; the force is then as it was.
+  template <class Remembered>
+  bool keeps_history(const ContactInput& input, ContactForce& force, Remembered&& remembered) const {
+    if (force.bond == BondState::bonded) return false;
+    const double pressure = pressure_at(input, input.opening);
+    const double least_friction = friction_coefficient * std::min(std::max(0.0, force.normal), pressure);
+    const ShearVector trial = force.shear - input.shear_stiffness * input.slip_increment;
+    const double largest_shear = std::max(std::abs(force.shear), std::abs(trial));
+    if (force.bond != BondState::softening) {
+      if (largest_shear > least_friction) return false;
+      force.normal = pressure;
+      force.shear = trial;
+      return true;
+    }
+    const BondDamage bond{{remembered(opening_inelastic), remembered(damage_tension)},
+                          {remembered(slip_inelastic), remembered(damage_shear)}};
+    const double reach = bond.tension.w + modes().tension_limit(bond) * input.area / input.normal_stiffness;
+    if (input.opening > reach || largest_shear > modes().shear_limit(bond) * input.area + least_friction) return false;
+    force.normal = pressure - tension_force(input, bond);
+    force.shear = trial;
+    return true;
+  }
+
   void evaluate(const ContactInput& input, ContactForce& force, History& history) const {
+    if (keeps_history(input, force, [&](std::size_t k) { return history[k]; })) return;
     const double normal = -input.normal_stiffness * input.opening;
     const ShearVector shear = force.shear - input.shear_stiffness * input.slip_increment;
     if (force.bond == BondState::bonded && intact_limits().carries(input.area, normal, shear)) {
@@ -92,24 +118,34 @@ struct MohrCoulomb : MohrCoulombStrength {
   [[nodiscard]] CoupledModes<Curve> modes() const { return {tension(), shear(), coupling}; }
 
   /// A long way is taken in parts, straight from the old opening to the new: where both modes grow, what a step spends
-  /// and leaves depends on the order in which they do.
+  /// and leaves depends on the order in which they do. Parts on which it does not are taken at once.
   void soften_on_the_way(const ContactInput& input, ContactForce& force, History& history) const {
     const double opening_before = opening_of(input, force, history);
     const double parts_to_the_end = 512.0;
     const double way = std::max(std::abs(input.opening - opening_before) / tension().end(),
                                 std::abs(input.slip_increment) / shear().end());
     const double n_parts = std::clamp(std::ceil(parts_to_the_end * way), 1.0, 4.0 * parts_to_the_end);
-    ContactInput part = input;
-    part.slip_increment = input.slip_increment / n_parts;
-    for (double i = 1.0; i <= n_parts; i += 1.0) {
-      const double left = (n_parts - i) / n_parts;
-      part.opening = input.opening - left * (input.opening - opening_before);
+    const auto opening_at = [&](double part) {
+      return input.opening - (n_parts - part) / n_parts * (input.opening - opening_before);
+    };
+    ContactInput stride = input;
+    walk_in_strides(n_parts, [&](double from, double to) {
+      const double from_opening = opening_at(from);
+      stride.opening = opening_at(to);
+      stride.slip_increment = (to - from) / n_parts * input.slip_increment;
+      const bool is_one_part = to - from == 1.0;
       if (force.bond == BondState::broken) {
-        slide(part, force, history[friction_work]);
-      } else {
-        soften(part, force.shear - input.shear_stiffness * part.slip_increment, force, history);
+        const bool is_even = std::min(from_opening, stride.opening) >= 0.0;
+        if (!is_even && !is_one_part) return Stride::refused;
+        slide(stride, force, history[friction_work]);
+        return is_even ? Stride::even : Stride::uneven;
       }
-    }
+      const Growth growth = growth_in(stride, force, history);
+      const bool is_even = n_parts > 1.0 && this->is_even(stride, from_opening, force, growth);
+      if (!is_even && !is_one_part) return Stride::refused;
+      soften(stride, growth, force, history);
+      return is_even ? Stride::even : Stride::uneven;
+    });
   }
 
   /// The opening at which a bond has its force (m).
@@ -123,29 +159,77 @@ struct MohrCoulomb : MohrCoulombStrength {
     return elastic * (1.0 + input.normal_stiffness * w / limit);
   }
 
-  void soften(const ContactInput& input, ShearVector trial, ContactForce& force, History& history) const {
-    const BondDamage before{{history[opening_inelastic], history[damage_tension]},
-                            {history[slip_inelastic], history[damage_shear]}};
-    const double pressure = std::max(0.0, -input.normal_stiffness * input.opening);
-    const double friction = friction_coefficient * pressure;
-    const double trial_size = std::abs(trial);
-    const double slip_reach = before.shear.w + (trial_size - friction) / input.shear_stiffness;
-    const BondDamage now = modes().grown(before, {input.opening, input.area / input.normal_stiffness},
-                                         {slip_reach, input.area / input.shear_stiffness});
+  /// What a step makes of a bond.
+  struct Growth {
+    BondDamage before;
+    BondDamage now;
+    double pressure;    ///< (N)
+    ShearVector trial;  ///< shear force without slip (N)
+    double limit;       ///< of shear (N)
+    double slip;        ///< (m)
 
-    const double limit = modes().shear_limit(now) * input.area + friction;
-    const double slip = std::max(0.0, trial_size - limit) / input.shear_stiffness;
+    [[nodiscard]] bool in_tension() const { return now.tension.w != before.tension.w; }
+    [[nodiscard]] bool in_shear() const { return now.shear.w != before.shear.w; }
+  };
+
+  [[nodiscard]] Growth growth_in(const ContactInput& input, const ContactForce& force, const History& history) const {
+    Growth growth{.before = {{history[opening_inelastic], history[damage_tension]},
+                             {history[slip_inelastic], history[damage_shear]}},
+                  .pressure = pressure_at(input, input.opening),
+                  .trial = force.shear - input.shear_stiffness * input.slip_increment};
+    const double friction = friction_coefficient * growth.pressure;
+    const double trial_size = std::abs(growth.trial);
+    const double slip_reach = growth.before.shear.w + (trial_size - friction) / input.shear_stiffness;
+    growth.now = modes().grown(growth.before, {input.opening, input.area / input.normal_stiffness},
+                               {slip_reach, input.area / input.shear_stiffness});
+    growth.limit = modes().shear_limit(growth.now) * input.area + friction;
+    growth.slip = std::max(0.0, trial_size - growth.limit) / input.shear_stiffness;
+    return growth;
+  }
+
+  [[nodiscard]] static double pressure_at(const ContactInput& input, double opening) {
+    return std::max(0.0, -input.normal_stiffness * opening);
+  }
+
+  /// Whether a step straight from an opening does the same as many parts of it.
+  [[nodiscard]] bool is_even(const ContactInput& input, double from, const ContactForce& force,
+                             const Growth& growth) const {
+    const double flexibility = input.area / input.normal_stiffness;
+    const double least_pressure = std::min(pressure_at(input, from), growth.pressure);
+    const double shear_before = std::abs(force.shear);
+    const double cohesive = modes().shear_limit(growth.now) * input.area;
+    if (!growth.in_shear()) {
+      // Nowhere on the way does anything slip, and tension alone has closed forms.
+      const double largest_shear = std::max(shear_before, std::abs(growth.trial));
+      return growth.slip == 0.0 && largest_shear <= cohesive + friction_coefficient * least_pressure;
+    }
+    if (friction_coefficient > 0.0 && std::min(from, input.opening) < 0.0) return false;
+    // So has shear alone.
+    if (growth.now.tension.w == 0.0) {
+      return std::max(from, input.opening) <= modes().tension_limit(growth.now) * flexibility;
+    }
+    // Both grow all the way, in proportion to it.
+    constexpr double at_the_limit = 1.0 - 1e-12;
+    const double reach = growth.before.tension.w + modes().tension_limit(growth.before) * flexibility;
+    return growth.in_tension() && from >= at_the_limit * reach &&
+           shear_before >= at_the_limit * modes().shear_limit(growth.before) * input.area &&
+           force.shear * growth.trial > 0.0 && modes().grow_straight(growth.before, growth.now);
+  }
+
+  void soften(const ContactInput& input, const Growth& growth, ContactForce& force, History& history) const {
+    const BondDamage& now = growth.now;
     const double pull = tension_force(input, now);
-    history[friction_work] += 0.5 * friction_coefficient * (std::max(0.0, force.normal) + pressure) * slip;
-    if (now.tension.w != before.tension.w || now.shear.w != before.shear.w) {
-      book_coupling(input, -force.normal, pull, before, now, history);
+    history[friction_work] +=
+        0.5 * friction_coefficient * (std::max(0.0, force.normal) + growth.pressure) * growth.slip;
+    if (growth.in_tension() || growth.in_shear()) {
+      book_coupling(input, -force.normal, pull, growth.before, now, history);
       history[opening_inelastic] = now.tension.w;
       history[slip_inelastic] = now.shear.w;
       history[damage_tension] = now.tension.damage;
       history[damage_shear] = now.shear.damage;
     }
-    force.normal = pressure - pull;
-    force.shear = slip > 0.0 ? limit / trial_size * trial : trial;
+    force.normal = growth.pressure - pull;
+    force.shear = growth.slip > 0.0 ? growth.limit / std::abs(growth.trial) * growth.trial : growth.trial;
     force.bond = is_broken(coupling, now.tension.damage, now.shear.damage) ? BondState::broken : BondState::softening;
   }
 

@@ -16,7 +16,9 @@ concept SofteningCurve = requires(const Curve curve, double x) {
   { curve.strength(x) } -> std::same_as<double>;         // s(x)
   { curve.area(x) } -> std::same_as<double>;             // ∫s from 0 to x
   { curve.end() } -> std::same_as<double>;               // least x with s = 0
+  { curve.slope(x) } -> std::same_as<double>;            // -s'(x)
   { curve.steepest() } -> std::same_as<double>;          // largest -s'
+  { curve.is_straight(x, x) } -> std::same_as<bool>;     // whether s is a straight line between the two
   { curve.opening_at(x) } -> std::same_as<double>;       // least x with s no larger than the argument
   { curve.intersection(x, x) } -> std::same_as<double>;  // at most end()
 };
@@ -40,7 +42,14 @@ struct BilinearCurve {
     const double left = std::max(0.0, end() - x);
     return 1.0 - 0.5 * second_slope() * left * left;
   }
+  [[nodiscard]] double slope(double x) const {
+    if (x < kink_opening) return first_slope();
+    return x < end() ? second_slope() : 0.0;
+  }
   [[nodiscard]] double steepest() const { return std::max(first_slope(), second_slope()); }
+  [[nodiscard]] bool is_straight(double from, double to) const {
+    return to <= kink_opening || (from >= kink_opening && to <= end());
+  }
   [[nodiscard]] double opening_at(double s) const {
     return s > kink_strength ? (1.0 - s) / first_slope() : end() - s / second_slope();
   }
@@ -69,7 +78,12 @@ struct ExponentialCurve {
     const double left = std::max(0.0, end() - x);
     return 1.0 - 0.5 * tail_slope() * left * left;
   }
+  [[nodiscard]] double slope(double x) const {
+    if (x < tail) return exponential(-x);
+    return x < end() ? tail_slope() : 0.0;
+  }
   [[nodiscard]] double steepest() const { return 1.0; }
+  [[nodiscard]] bool is_straight(double from, double to) const { return from >= tail && to <= end(); }
   [[nodiscard]] double opening_at(double s) const {
     if (s <= 2.0 * tail_slope()) return end() - s / tail_slope();
     // Newton from the left; the curve is convex, so that no step goes too far.

@@ -32,6 +32,17 @@ struct SofteningMode {
     const double r = relative(reach);
     return solve(a, r, coupling, other_damage) * fracture_energy / strength;
   }
+  /// The inelastic displacement (m), at most that of the break, of a displacement `reach` at this part of the strength.
+  [[nodiscard]] double plastic(double reach, double flexibility, double part) const {
+    return std::min(reach - part * strength * flexibility, end());
+  }
+  /// How fast s falls where the spring gives way, -ds/dw · f A/k.
+  [[nodiscard]] double softening(double w, double flexibility) const {
+    return curve.slope(relative(w)) * relative(strength * flexibility);
+  }
+  [[nodiscard]] bool is_straight(double from, double to) const {
+    return curve.is_straight(relative(from), relative(to));
+  }
   /// 1 - s(w).
   [[nodiscard]] double damage(double w) const { return 1.0 - curve.strength(relative(w)); }
   /// ∫f s dw from 0 to w (J/m2).

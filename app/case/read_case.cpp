@@ -11,8 +11,6 @@ namespace {
 constexpr const char* default_method = "dynamic_relaxation";
 /// Converged to what elastic cases need, unless the case says otherwise.
 constexpr double default_force_ratio = 1e-6;
-/// What keeps peak and work of fracture runs within a percent.
-constexpr double default_force_ratio_of_increments = 5e-3;
 
 template <class Table>
 void read_single(CaseFile& file, const std::string& name, Table& table) {
@@ -87,7 +85,7 @@ void read_solver(CaseFile& file, SolverTable& solver) {
   solver.method = *method;
   // Increments of loading are no integrator.
   if (loadings.contains(solver.method)) {
-    solver.unbalanced_force_ratio = default_force_ratio_of_increments;
+    solver.unbalanced_force_ratio = loadings.create(solver.method)->usual_force_ratio();
     read_with_choice(file, view, solver, loadings, "method", solver.loading);
     return;
   }

@@ -116,11 +116,13 @@ void visit_fields(Table& table, Visitor&& visit) {
 
 template <TableOf<LoadingState> Table, class Visitor>
 void visit_fields(Table& table, Visitor&& visit) {
-  auto& [step, direction_step, direction, peak_force, gauge_sign, secants, places, secants_update, n_evaluations,
-         n_factorisations, n_relaxed, n_without_control] = table;
+  auto& [step, direction_step, direction, older_step, older_direction, peak_force, gauge_sign, secants, places,
+         secants_update, n_evaluations, n_factorisations, n_relaxed, n_without_control] = table;
   visit("step", step, FieldRole::physics);
   visit("direction_step", direction_step, FieldRole::physics);
   visit("direction", direction, FieldRole::physics);
+  visit("older_step", older_step, FieldRole::physics);
+  visit("older_direction", older_direction, FieldRole::physics);
   visit("peak_force", peak_force, FieldRole::physics);
   visit("gauge_sign", gauge_sign, FieldRole::physics);
   visit("secants", secants, FieldRole::physics);

@@ -131,8 +131,11 @@ struct LoadingState {
   double step = 0.0;            ///< the last increment, of pseudo-time (s) or of a gauge; 0 before the first
   double direction_step = 0.0;  ///< that of the increment whose motion is extrapolated (s)
   Field<double> direction;      ///< that motion, all freedoms in one column
-  double peak_force = 0.0;      ///< largest external force so far (N)
-  double gauge_sign = 0.0;      ///< the way in which a gauge is followed in the stage under way; 0 before that
+  // After an increment that may have held a jump the motion with which it began, which may do better.
+  double older_step = 0.0;
+  Field<double> older_direction;
+  double peak_force = 0.0;  ///< largest external force so far (N)
+  double gauge_sign = 0.0;  ///< the way in which a gauge is followed in the stage under way; 0 before that
   // The stiffness matrix in use.
   Field<double> secants;               ///< of the springs of all contacts (N/m)
   Field<double> places;                ///< displacements of all freedoms for which it was made (m, rad)

@@ -101,6 +101,7 @@ CoarseSpace::CoarseSpace(const Model& model, const StiffnessSum& stiffness, doub
   const Numbers numbers(model, grid);
   place_bodies(model, grid, numbers);
   assemble(stiffness, numbers.count);
+  list_members(numbers.count);
   scratch_.resize(size());
 }
 
@@ -216,11 +217,33 @@ void CoarseSpace::assemble(const StiffnessSum& stiffness, std::size_t n_coarse) 
   stiffness_.factorize();
 }
 
+void CoarseSpace::list_members(std::size_t n_coarse) {
+  std::vector<std::vector<Member>> of_coarse(n_coarse);
+  for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
+    for (const Share& share : shares_of(static_cast<Index>(i))) {
+      if (share.weight != 0.0) of_coarse[share.coarse].push_back({static_cast<Index>(i), share.weight});
+    }
+  }
+  member_begin_ = {0};
+  for (const std::vector<Member>& members : of_coarse) {
+    members_.insert(members_.end(), members.begin(), members.end());
+    member_begin_.push_back(members_.size());
+  }
+}
+
 void CoarseSpace::add_answer(const std::vector<double>& forces, double factor, std::vector<double>& motion) {
-  std::fill(scratch_.begin(), scratch_.end(), 0.0);
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
-      scratch_[shares_[k].coarse] += shares_[k].weight * forces[i];
+  // Sums of four: one alone would wait for itself at every term.
+  for (std::size_t coarse = 0; coarse < scratch_.size(); ++coarse) {
+    std::array<double, 4> sums{};
+    std::size_t k = member_begin_[coarse];
+    const auto add = [&](std::size_t place) {
+      sums[place] += members_[k + place].weight * forces[members_[k + place].freedom];
+    };
+    for (; k + 4 <= member_begin_[coarse + 1]; k += 4) {
+      for (std::size_t place = 0; place < 4; ++place) add(place);
+    }
+    for (; k < member_begin_[coarse + 1]; ++k) add(0);
+    scratch_[coarse] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
   stiffness_.solve(scratch_);
   for (std::size_t i = 0; i < motion.size(); ++i) {

@@ -69,9 +69,17 @@ class CoarseSpace {
   template <class Add>
   void visit_entries(const StiffnessSum& stiffness, Add&& add) const;
   void assemble(const StiffnessSum& stiffness, std::size_t n_coarse);
+  void list_members(std::size_t n_coarse);
 
   std::vector<std::size_t> begin_{0};  ///< of the shares of every freedom
   std::vector<Share> shares_;
+  // The same by coarse freedoms.
+  struct Member {
+    Index freedom = 0;
+    double weight = 0.0;
+  };
+  std::vector<std::size_t> member_begin_;
+  std::vector<Member> members_;
   BandedCholesky stiffness_;
   std::vector<double> scratch_;
 };

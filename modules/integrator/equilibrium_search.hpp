@@ -21,13 +21,21 @@ class EquilibriumSearch {
 
   /// Its parameters, read from the table [solver].
   virtual void declare(class Parameters& parameters) = 0;
+  /// What counts as equilibrium unless the case says otherwise: what keeps peak and work of fracture runs within a
+  /// percent.
+  [[nodiscard]] virtual EquilibriumCriterion usual_criterion() const { return {}; }
   /// Called once at set-up, after bodies have their masses.
   virtual void use_stiffness(const Model& model, const State& state, const StiffnessSum& stiffness) = 0;
   /// Whether it starts from the motion of an increment before; of a stage that begins, that of a small one.
   [[nodiscard]] virtual bool extrapolates() const = 0;
 
-  /// An increment that takes more evaluations of the forces holds a jump, which will not come again.
+  /// An increment that takes more evaluations of the forces holds a jump, on whose way bonds break.
   [[nodiscard]] virtual std::int64_t most_evaluations_of_smooth_increment() const = 0;
+
+  /// One that takes more may hold a jump, which will not come again: the motion with which it began is remembered, too.
+  [[nodiscard]] virtual std::int64_t most_evaluations_of_steady_increment() const {
+    return most_evaluations_of_smooth_increment();
+  }
 
   /// Whether it can follow a gauge.
   [[nodiscard]] virtual bool follows_gauges() const { return false; }

@@ -20,10 +20,14 @@ using RotationField = Field<double> RotationState::*;
 template <class Translation, class Rotation>
 void append(BodyTable table, std::size_t count, Translation&& translation, Rotation&& rotation,
             std::vector<double>& column) {
+  const bool turns = table != BodyTable::node;
+  std::size_t next = column.size();
+  column.resize(next + count * (turns ? dimension + 1 : dimension));
+  double* values = column.data();
   for (std::size_t i = 0; i < count; ++i) {
     const Vector value = translation(i);
-    for (int axis = 0; axis < dimension; ++axis) column.push_back(component(value, axis));
-    if (table != BodyTable::node) column.push_back(rotation(i));
+    for (int axis = 0; axis < dimension; ++axis) values[next++] = component(value, axis);
+    if (turns) values[next++] = rotation(i);
   }
 }
 

@@ -92,6 +92,7 @@ void Increment::go_to(double step) {
 
 void Increment::go_live() {
   before_ = state_;
+  mean_force_before_ = mean_force();
   way_.assign(free_.size(), 0.0);
   work_on_the_way_ = {};
 }
@@ -110,9 +111,10 @@ void Increment::move_live(const std::vector<double>& motion) {
   move_bodies(motion, state_);
   evaluation_.update_contacts();
   evaluation_.add_forces();
-  const std::vector<double> before = std::move(forces_);
+  std::vector<double> mean = std::move(forces_);
   forces_ = all_forces(model_, state_);
-  work_on_the_way_ += 0.5 * (work_of(free_, motion, before, loads_) + work_of(free_, motion, forces_, loads_));
+  for (std::size_t i = 0; i < mean.size(); ++i) mean[i] = 0.5 * (mean[i] + forces_[i]);
+  work_on_the_way_ += work_of(free_, motion, mean, loads_);
   for (std::size_t i = 0; i < way_.size(); ++i) way_[i] += motion[i];
   ++n_evaluations_;
 }
@@ -134,7 +136,16 @@ void Increment::show(double kinetic_energy) const {
   observer.look(n_evaluations_, kinetic_energy);
 }
 
+std::vector<double> Increment::free_forces() const {
+  std::vector<double> forces(forces_.size());
+  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = free_[i] * forces_[i];
+  return forces;
+}
+
 bool Increment::has_settled() {
+  // What lives takes thousands of evaluations.
+  constexpr std::int64_t live_interval = 10;
+  if (is_live() && n_evaluations_ % live_interval != 0) return false;
   n_settled_ = is_in_equilibrium() ? n_settled_ + 1 : 0;
   return n_settled_ >= criterion_.settled_evaluations;
 }
@@ -177,11 +188,15 @@ bool Increment::is_in_equilibrium() {
 }
 
 double Increment::force_tolerance() const {
-  const ForceMagnitudes internal = evaluation_.internal();
-  const double mean_force = internal.count > 0.0 ? internal.sum / internal.count : 0.0;
-  const double peak = std::max(state_.loading.peak_force, through_force_);
   // What has come apart carries hardly any force to compare with.
-  return criterion_.unbalanced_ratio * std::max(mean_force, criterion_.force_mismatch * peak);
+  const double least =
+      is_live() ? mean_force_before_ : criterion_.force_mismatch * std::max(state_.loading.peak_force, through_force_);
+  return criterion_.unbalanced_ratio * std::max(mean_force(), least);
+}
+
+double Increment::mean_force() const {
+  const ForceMagnitudes internal = evaluation_.internal();
+  return internal.count > 0.0 ? internal.sum / internal.count : 0.0;
 }
 
 }  // namespace ligament

@@ -36,8 +36,8 @@ struct ForceEvaluation {
 
 /// When the bodies are in equilibrium, and how long it is searched for.
 struct EquilibriumCriterion {
-  double unbalanced_ratio = 0.0;  ///< largest unbalanced force ratio
-  double force_mismatch = 1e-3;   ///< of external forces, over the running peak
+  double unbalanced_ratio = 5e-3;  ///< largest unbalanced force ratio
+  double force_mismatch = 1e-3;    ///< of external forces, over the running peak
   std::int64_t settled_evaluations = 3;
   std::int64_t most_evaluations = 3000;
   std::int64_t most_live_evaluations = 100000;
@@ -95,6 +95,8 @@ class Increment {
   /// At the last evaluation, of all freedoms.
   [[nodiscard]] const std::vector<double>& forces() const { return forces_; }
   [[nodiscard]] const std::vector<double>& loads() const { return loads_; }
+  /// Forces, zero where freedoms are prescribed.
+  [[nodiscard]] std::vector<double> free_forces() const;
   /// Stiffness of elements and of springs of contacts, and the secants of the latter; see ForceProvider.
   [[nodiscard]] StiffnessSum stiffness() const { return evaluation_.stiffness(); }
   [[nodiscard]] std::vector<double> secants() const { return evaluation_.secants(start_.contacts); }
@@ -123,6 +125,7 @@ class Increment {
   void clear_increments();
   void move_live(const std::vector<double>& motion);
   [[nodiscard]] std::vector<double> applied_loads();
+  [[nodiscard]] double mean_force() const;
 
   const Model& model_;
   State& state_;
@@ -141,6 +144,7 @@ class Increment {
   std::optional<State> before_;  ///< the last equilibrium, with the contacts that it has
   std::vector<double> way_;      ///< from there to here
   ForceWork work_on_the_way_;
+  double mean_force_before_ = 0.0;  ///< of contacts at the last equilibrium (N)
 };
 
 }  // namespace ligament

@@ -131,6 +131,7 @@ bool IncrementalLoading::find(Increment& increment, const IncrementTarget& targe
 
 void IncrementalLoading::begin_segment(State& state) {
   state.loading.direction.clear();
+  state.loading.older_direction.clear();
   state.loading.gauge_sign = 0.0;
   // The remainder before a corner was no cut.
   state.loading.step = 0.0;
@@ -164,7 +165,13 @@ void IncrementalLoading::accept(Increment& increment) {
   LoadingState& loading = state.loading;
   const bool is_smooth = increment.n_evaluations() <= search_->most_evaluations_of_smooth_increment();
   const double step = state.clock.time - increment.start_time();
-  if (loading.direction.empty() || is_smooth) remember_direction(increment, step, loading);
+  if (increment.n_evaluations() <= search_->most_evaluations_of_steady_increment()) {
+    loading.older_direction.clear();
+  } else {
+    loading.older_direction = std::move(loading.direction);
+    loading.older_step = loading.direction_step;
+  }
+  remember_direction(increment, step, loading);
   // A bond that breaks on the way of a jump is a narrow peak, which few intervals may step over.
   book_increment_work(increment, is_smooth ? 2 : 64);
   loading.peak_force = std::max(loading.peak_force, increment.through_force());

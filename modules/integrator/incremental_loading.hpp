@@ -11,9 +11,12 @@ namespace ligament {
 /// Quasi-static loading in increments, each brought to equilibrium. Contacts remember the last equilibrium.
 class IncrementalLoading : public EnergySource {
  public:
-  explicit IncrementalLoading(std::unique_ptr<EquilibriumSearch> search) : search_(std::move(search)) {}
+  explicit IncrementalLoading(std::unique_ptr<EquilibriumSearch> search)
+      : criterion_(search->usual_criterion()), search_(std::move(search)) {}
 
   void declare(Parameters& parameters);
+  /// The unbalanced force ratio of an equilibrium, unless the case says otherwise.
+  [[nodiscard]] double usual_force_ratio() const { return criterion_.unbalanced_ratio; }
   /// Prescribed freedoms; of each stage of loading the times (s, ascending) at which motions or loads change their
   /// course, the end of the stage last; and the unbalanced force ratio of an equilibrium.
   void set_loading(std::vector<PrescribedFreedom> freedoms, std::vector<std::vector<double>> corners,

@@ -57,7 +57,8 @@ class SecantRelaxation : public EquilibriumSearch {
   [[nodiscard]] std::optional<std::vector<double>> correction(Increment& increment, Course& course);
 
   std::int64_t most_changed_ = 300;
-  MomentumRelaxation momenta_;
+  /// choice: what a direct search cannot settle has lost its stiffness, and costs many evaluations with either mass.
+  MomentumRelaxation momenta_{MomentumRelaxation::Masses::two_level};
 
   // Scratch; K is that of the state.
   SpringFlexibility flexibility_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <array>
 #include <map>
 
 namespace ligament {
@@ -27,6 +28,22 @@ void visit_entries(const StiffnessSum& stiffness, const std::vector<double>& fre
         add(freedoms[row], freedoms[column], (*matrix)[8 * row + column]);
       }
     }
+  }
+}
+
+/// x ← L⁻ᵀ x, the diagonal of L being 1. Sums of four: one alone would wait for itself at every term.
+void solve_transposed(const Matrix& lower, std::vector<double>& x) {
+  const int* begin = lower.outerIndexPtr();
+  const int* rows = lower.innerIndexPtr();
+  const double* values = lower.valuePtr();
+  for (auto column = static_cast<int>(x.size()) - 1; column >= 0; --column) {
+    std::array<double, 4> sums{};
+    int k = begin[column];
+    for (; k + 4 <= begin[column + 1]; k += 4) {
+      for (int i = 0; i < 4; ++i) sums[i] += values[k + i] * x[rows[k + i]];
+    }
+    for (; k < begin[column + 1]; ++k) sums[0] += values[k] * x[rows[k]];
+    x[column] -= (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
 }
 
@@ -103,7 +120,7 @@ std::vector<double> SparseStiffness::half(const std::vector<double>& forces) con
 std::vector<double> SparseStiffness::back(std::vector<double> half) const {
   Eigen::Map<Eigen::VectorXd> right(half.data(), static_cast<Eigen::Index>(half.size()));
   right = right.cwiseProduct(factors_->scale);
-  factors_->decomposition.matrixU().solveInPlace(right);
+  solve_transposed(factors_->decomposition.matrixL().nestedExpression(), half);
   std::vector<double> motion(half.size());
   Eigen::Map<Eigen::VectorXd>(motion.data(), right.size()) = factors_->decomposition.permutationPinv() * right;
   return motion;

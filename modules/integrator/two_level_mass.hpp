@@ -5,20 +5,19 @@
 
 #include "core/state.hpp"
 #include "integrator/coarse_space.hpp"
+#include "integrator/relaxation_mass.hpp"
 
 namespace ligament {
 
 /// Masses of two levels: those scaled body by body, D, and those of coarse motions of the whole structure,
-/// M⁻¹ = a (D⁻¹ + Z K_c⁻¹ Zᵀ), for steps of 1 s of pseudo-time. Slow motions get masses that fit them. Columns are
-/// numbered as in FreedomNumbers; prescribed freedoms are zero in them.
-class TwoLevelMass {
+/// M⁻¹ = a (D⁻¹ + Z K_c⁻¹ Zᵀ), for steps of 1 s of pseudo-time. Slow motions get masses that fit them.
+class TwoLevelMass : public RelaxationMass {
  public:
   /// D are the masses of the state; coarse cells are of this size (m), or half of the shorter side of the structure.
   TwoLevelMass(const Model& model, const State& state, const StiffnessSum& stiffness,
                std::optional<double> coarse_cell);
 
-  /// v = M⁻¹ p.
-  [[nodiscard]] std::vector<double> velocities(const std::vector<double>& momenta);
+  [[nodiscard]] std::vector<double> velocities(const std::vector<double>& momenta) override;
 
  private:
   CoarseSpace coarse_;

@@ -37,14 +37,15 @@ bool is_contact_field(const std::string& name) {
 
 /// Memory of adaptive damping and of loading stays empty until it is used.
 bool may_be_empty(const std::string& name) {
-  return name.rfind("relaxation.", 0) == 0 || name == "loading.direction" || name == "loading.places";
+  return name.rfind("relaxation.", 0) == 0 || name == "loading.direction" || name == "loading.older_direction" ||
+         name == "loading.places";
 }
 
 std::uint64_t wanted_length(const std::string& name, std::uint64_t built, const Model& model) {
   if (name == "relaxation.node_force") return model.nodes.size();
   if (name == "relaxation.beam_force" || name == "relaxation.beam_moment") return model.beam_nodes.size();
   if (name == "relaxation.momentum" || name == "relaxation.force" || name == "loading.direction" ||
-      name == "loading.places")
+      name == "loading.older_direction" || name == "loading.places")
     return FreedomNumbers(model).count();
   if (may_be_empty(name)) return model.particles.size();
   return built;

@@ -72,8 +72,7 @@ def control_section(folder, beams, verdicts):
              "the platen goes back where the beam snaps back. *Back* is how far it does. Under control of the platen the "
              "energy of a snap-back is set free at a jump; under that of the crack mouth there is less to set free, so that "
              "the work to the end is smaller by it. Peaks should agree within "
-             f"{PEAK_CHANGE_TOLERANCE:.0%}; the peaks of the momenta fall towards those of the secants as their criterion of "
-             "equilibrium is tightened, and a ramp of 0.5 nm a step comes to the same (both above).", ""]
+             f"{PEAK_CHANGE_TOLERANCE:.0%}; a ramp of 0.5 nm a step comes to the same (above).", ""]
     lines += table(["seed", "", "peak (N)", "change", "stiffness (kN/mm)", "work (mJ)", "set free", "broken", "back (μm)",
                     "increments", "evaluations", "factorisations", "s, processor", "ledger error", ""], rows)
     return lines + plot(picture(folder, curves), "petersson_control",

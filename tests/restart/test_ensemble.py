@@ -18,13 +18,22 @@ class Ensembles(ProgramTest):
         """Starts the ensemble; returns when a run is under way."""
         process = self.start(*ASKED, "--output", "all")
         end = time.monotonic() + 60
-        while not self.has_rows():
+        while not self.runs_with_rows():
             self.assertLess(time.monotonic(), end, "no run has come to its twentieth row")
             time.sleep(0.01)
         return process
 
-    def has_rows(self):
-        return any(path.read_bytes().count(b"\n") > 20 for path in Path(self.folder, "all").glob("seed_*/history.csv"))
+    def runs_with_rows(self):
+        return [path.parent.name for path in Path(self.folder, "all").glob("seed_*/history.csv")
+                if path.read_bytes().count(b"\n") > 20]
+
+    def process_of_run(self, ensemble, names):
+        """One of the processes of an ensemble that make these runs."""
+        for number in Path(f"/proc/{ensemble.pid}/task/{ensemble.pid}/children").read_text().split():
+            command = Path(f"/proc/{number}/cmdline").read_text()
+            if any(name in command for name in names):
+                return int(number)
+        self.fail("no run is under way")
 
     def go_on(self):
         """Calls the ensemble again until no process of the former call is in its way."""
@@ -72,8 +81,7 @@ class Ensembles(ProgramTest):
 
     def test_kill_of_one_run(self):
         process = self.start_and_wait_for_steps()
-        runs = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-        os.kill(int(runs[0]), signal.SIGKILL)
+        os.kill(self.process_of_run(process, self.runs_with_rows()), signal.SIGKILL)
         out, err = process.communicate(timeout=120)
         self.assertEqual(process.returncode, 128 + signal.SIGKILL, out + err)
         self.assertEqual(out.count("unfinished (exit code 137)"), 1, out)

@@ -51,7 +51,7 @@ TEST_CASE("a run ends when the crack has run through the specimen") {
   CHECK(summary.at("ended") == "completed");
   CHECK(contains(summary.at("ended_by").get<std::string>(), "the macro-crack spans 0.05"));
   CHECK(std::abs(summary.at("results").at("load_N").get<double>()) < 0.05 * summary.at("peak_load_N").get<double>());
-  CHECK(summary.at("steps").get<int>() < 90);
+  CHECK(summary.at("steps").get<int>() < 60);
 }
 
 TEST_CASE("a run ends when a piece is cut off") {
